@@ -1,0 +1,1 @@
+//! Benchmark scenes and criterion benches of trigon.

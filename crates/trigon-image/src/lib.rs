@@ -1,0 +1,1 @@
+//! Pixels, colour, comparison, decoding and encoding of pictures for trigon.

@@ -1,0 +1,1 @@
+//! 3D scenes for trigon: OBJ/MTL, STL and PLY readers, materials, lights, cameras.

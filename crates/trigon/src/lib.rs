@@ -1,0 +1,1 @@
+//! An exact, fast software rasterizer: triangles to pixels on the CPU, bit for bit the same on every machine.

@@ -1,0 +1,1 @@
+//! Whole-frame, golden and black-box tests of trigon.

@@ -1,0 +1,2 @@
+//! Chores of the trigon workspace: tidy, bless, assets.
+fn main() {}
