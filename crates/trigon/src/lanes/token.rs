@@ -1,0 +1,89 @@
+//! The token that stands for a SIMD level inside a kernel, and the constructors of lane values.
+//!
+//! In: scalars, arrays, slices. Out: lane values. A token can only be had from [`dispatch`](super::level), which
+//! checked that the CPU has the level; so every operation on it is safe.
+
+use super::{F32, I32, Mask, U32, Vec2, Vec3, Vec4};
+use fearless_simd::{Simd, SimdBase, SimdMask, f32x16, i32x16, mask32x16, u32x16};
+
+/// Logical lanes of every lane value, at every level.
+pub const LANES: usize = 16;
+
+/// A SIMD level at which a kernel is compiled; the value is the proof that the CPU has it.
+///
+/// Kernels take it as their first argument, `l`, and make constants with it: `l.f32(0.5)`.
+pub trait Lanes: Simd {
+    /// The same float in every lane.
+    #[inline(always)]
+    fn f32(self, value: f32) -> F32<Self> {
+        F32(f32x16::splat(self, value))
+    }
+
+    /// The same signed integer in every lane.
+    #[inline(always)]
+    fn i32(self, value: i32) -> I32<Self> {
+        I32(i32x16::splat(self, value))
+    }
+
+    /// The same unsigned integer in every lane.
+    #[inline(always)]
+    fn u32(self, value: u32) -> U32<Self> {
+        U32(u32x16::splat(self, value))
+    }
+
+    /// The same truth value in every lane.
+    #[inline(always)]
+    fn mask(self, value: bool) -> Mask<Self> {
+        Mask(mask32x16::splat(self, value))
+    }
+
+    /// Lane `i` is bit `i`.
+    #[inline(always)]
+    fn mask_from_bits(self, bits: u16) -> Mask<Self> {
+        Mask(mask32x16::from_bitmask(self, u64::from(bits)))
+    }
+
+    /// One float per lane.
+    #[inline(always)]
+    fn f32_array(self, values: &[f32; LANES]) -> F32<Self> {
+        F32(f32x16::load_array_ref(self, values))
+    }
+
+    /// One signed integer per lane.
+    #[inline(always)]
+    fn i32_array(self, values: &[i32; LANES]) -> I32<Self> {
+        I32(i32x16::load_array_ref(self, values))
+    }
+
+    /// One unsigned integer per lane.
+    #[inline(always)]
+    fn u32_array(self, values: &[u32; LANES]) -> U32<Self> {
+        U32(u32x16::load_array_ref(self, values))
+    }
+
+    /// The lane numbers 0, 1, 2, .. as floats.
+    #[inline(always)]
+    fn lane_numbers(self) -> F32<Self> {
+        self.f32_array(&[0., 1., 2., 3., 4., 5., 6., 7., 8., 9., 10., 11., 12., 13., 14., 15.])
+    }
+
+    /// The same pair in every lane.
+    #[inline(always)]
+    fn vec2(self, v: [f32; 2]) -> Vec2<Self> {
+        Vec2 { x: self.f32(v[0]), y: self.f32(v[1]) }
+    }
+
+    /// The same triple in every lane.
+    #[inline(always)]
+    fn vec3(self, v: [f32; 3]) -> Vec3<Self> {
+        Vec3 { x: self.f32(v[0]), y: self.f32(v[1]), z: self.f32(v[2]) }
+    }
+
+    /// The same quadruple in every lane.
+    #[inline(always)]
+    fn vec4(self, v: [f32; 4]) -> Vec4<Self> {
+        Vec4 { x: self.f32(v[0]), y: self.f32(v[1]), z: self.f32(v[2]), w: self.f32(v[3]) }
+    }
+}
+
+impl<S: Simd> Lanes for S {}

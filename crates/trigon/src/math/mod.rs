@@ -1,0 +1,1 @@
+//! Elementary functions on lanes, by our own polynomials: the platform's differ from machine to machine.

@@ -1,0 +1,1 @@
+//! Textures: images as the sampler wants them, and the sampler.
