@@ -1,0 +1,11 @@
+//! Pixels to the bytes of a picture file: one file a format, one entry point, and animations.
+
+mod animation;
+mod dispatch;
+mod options;
+mod png;
+mod tga;
+
+pub use animation::AnimationEncoder;
+pub use dispatch::{ImageRef, encode};
+pub use options::{BitDepth, Effort, EncodeOptions, ExrSample, GifPalette};
