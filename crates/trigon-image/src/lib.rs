@@ -26,6 +26,7 @@ pub mod encode;
 
 mod error;
 mod format;
+mod half;
 mod limits;
 mod output;
 mod pixels;

@@ -33,6 +33,24 @@ pub fn unit_to_u16(x: f32) -> u16 {
     (f64::from(x) * 65535.0 + 0.5) as u16
 }
 
+/// Divides encoded color by alpha, as the writers of premultiplied files of integers multiplied it; nearest code.
+pub(crate) fn unpremultiply_u8([r, g, b, a]: [u8; 4]) -> [u8; 4] {
+    let straight = |code: u8| match a {
+        0 => 0,
+        _ => u8::try_from((u32::from(code) * 255 + u32::from(a) / 2) / u32::from(a)).unwrap_or(u8::MAX),
+    };
+    [straight(r), straight(g), straight(b), a]
+}
+
+/// Divides encoded color by alpha, as the writers of premultiplied files of integers multiplied it; nearest code.
+pub(crate) fn unpremultiply_u16([r, g, b, a]: [u16; 4]) -> [u16; 4] {
+    let straight = |code: u16| match a {
+        0 => 0,
+        _ => u16::try_from((u64::from(code) * 65535 + u64::from(a) / 2) / u64::from(a)).unwrap_or(u16::MAX),
+    };
+    [straight(r), straight(g), straight(b), a]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,6 +65,16 @@ mod tests {
         }
         for (x, code) in [(f32::NAN, 0), (-1.0, 0), (-0.0, 0), (7.0, 255), (f32::INFINITY, 255), (0.5, 128)] {
             assert_eq!(unit_to_u8(x), code);
+        }
+    }
+
+    #[test]
+    fn premultiplied_codes_are_divided() {
+        assert_eq!(unpremultiply_u8([64, 128, 200, 128]), [128, 255, 255, 128]);
+        assert_eq!(unpremultiply_u8([9, 9, 9, 0]), [0; 4]);
+        assert_eq!(unpremultiply_u16([16384, 32768, 65535, 32768]), [32768, 65535, 65535, 32768]);
+        for code in 0..=u8::MAX {
+            assert_eq!(unpremultiply_u8([code, 0, 0, 255])[0], code);
         }
     }
 

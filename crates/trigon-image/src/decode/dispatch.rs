@@ -21,8 +21,15 @@ pub fn decode(bytes: &[u8], hint: Option<Format>, limits: &Limits) -> Result<Dec
     };
     match format {
         Format::Png => super::png::decode(bytes, limits),
+        Format::Jpeg => super::jpeg::decode(bytes, limits),
         Format::Tga => super::tga::decode(bytes, limits),
-        _ => Err(DecodeError::unsupported(format, "reading it")),
+        Format::Bmp => super::bmp::decode(bytes, limits),
+        Format::Tiff => super::tiff::decode(bytes, limits),
+        Format::WebP => super::webp::decode(bytes, limits),
+        Format::Hdr => super::hdr::decode(bytes, limits),
+        Format::Gif => super::gif::decode(bytes, limits),
+        Format::Qoi => super::qoi::decode(bytes, limits),
+        Format::Exr => super::exr::decode(bytes, limits),
     }
 }
 

@@ -58,6 +58,38 @@ impl<'a> Reader<'a> {
         self.array(what).map(u16::from_le_bytes)
     }
 
+    pub(super) fn u32_le(&mut self, what: &str) -> Result<u32, DecodeError> {
+        self.array(what).map(u32::from_le_bytes)
+    }
+
+    pub(super) fn u32_be(&mut self, what: &str) -> Result<u32, DecodeError> {
+        self.array(what).map(u32::from_be_bytes)
+    }
+
+    pub(super) fn u64_le(&mut self, what: &str) -> Result<u64, DecodeError> {
+        self.array(what).map(u64::from_le_bytes)
+    }
+
+    /// The bytes up to the next NUL, which is passed over.
+    pub(super) fn until_nul(&mut self, what: &str) -> Result<&'a [u8], DecodeError> {
+        self.until(0, what)
+    }
+
+    /// The bytes up to the next line feed, which is passed over, without a carriage return at their end.
+    pub(super) fn line(&mut self, what: &str) -> Result<&'a [u8], DecodeError> {
+        let line = self.until(b'\n', what)?;
+        Ok(line.strip_suffix(b"\r").unwrap_or(line))
+    }
+
+    fn until(&mut self, end: u8, what: &str) -> Result<&'a [u8], DecodeError> {
+        let Some(length) = self.rest().iter().position(|&byte| byte == end) else {
+            return Err(self.ends_inside(what));
+        };
+        let taken = self.take(length, what)?;
+        self.offset += 1;
+        Ok(taken)
+    }
+
     /// The file breaks `rule` at the next byte to read.
     pub(super) fn malformed(&self, rule: impl Into<std::borrow::Cow<'static, str>>) -> DecodeError {
         DecodeError::malformed(self.format, self.offset, rule)

@@ -8,6 +8,7 @@
 
 use super::DecodedImage;
 use super::reader::Reader;
+use crate::color::unpremultiply_u8;
 use crate::{DecodeError, Format, Limits, Rgba8Image};
 
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<DecodedImage, DecodeError> {
@@ -294,18 +295,9 @@ impl AlphaMeaning {
         match self {
             Self::Straight => {}
             Self::Ignored => pixels.iter_mut().for_each(|p| p[3] = u8::MAX),
-            Self::Premultiplied => pixels.iter_mut().for_each(|p| *p = unpremultiply_codes(*p)),
+            Self::Premultiplied => pixels.iter_mut().for_each(|p| *p = unpremultiply_u8(*p)),
         }
     }
-}
-
-/// Divides encoded color by alpha, as the writers of such files multiplied it; rounds to nearest.
-fn unpremultiply_codes([r, g, b, a]: [u8; 4]) -> [u8; 4] {
-    let straight = |v: u8| match a {
-        0 => 0,
-        _ => u8::try_from((u32::from(v) * 255 + u32::from(a) / 2) / u32::from(a)).unwrap_or(u8::MAX),
-    };
-    [straight(r), straight(g), straight(b), a]
 }
 
 /// Field 24 of the extension area, if the file ends with the footer of version 2.0 and has such an area.

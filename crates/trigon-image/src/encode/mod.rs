@@ -2,10 +2,12 @@
 
 mod animation;
 mod dispatch;
+mod exr;
 mod options;
 mod png;
 mod tga;
 
 pub use animation::AnimationEncoder;
 pub use dispatch::{ImageRef, encode};
+pub use exr::{ExrChannel, ExrSamples, encode_exr};
 pub use options::{BitDepth, Effort, EncodeOptions, ExrSample, GifPalette};
