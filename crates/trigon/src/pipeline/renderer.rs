@@ -1,0 +1,194 @@
+//! The renderer: memory and threads that live from frame to frame.
+//!
+//! In: a frame and its draws. Out: a picture and counts. First every chunk of primitives goes through the geometry
+//! stage, on any thread; then every tile is drawn, on any thread; each tile reads the chunks in submission order.
+
+use super::draw::{Draw, Frame, FrameError, FrameStatistics};
+use super::output::{Picture, PictureBands};
+use super::tile::{TileInput, TileWorker};
+use crate::geometry::{CHUNK_PRIMITIVES, Chunk, ChunkInput, ChunkScratch, Segment, Viewport, process_chunk};
+use crate::lanes::{SimdError, SimdLevel, dispatch};
+use crate::raster::TILE_SIZE;
+use crate::schedule::{TileOrder, share, tile_sequence};
+use fearless_simd::Level;
+use std::time::Instant;
+
+/// How a renderer works; none of it changes a picture.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct RendererOptions {
+    /// Threads to use, the caller's included; at least one.
+    pub threads: usize,
+    /// Instruction set to use.
+    pub simd: SimdLevel,
+    /// Which tiles first.
+    pub tile_order: TileOrder,
+}
+
+impl RendererOptions {
+    /// One thread per available core, and the level that `TRIGON_SIMD` names or else the best.
+    ///
+    /// # Errors
+    /// `TRIGON_SIMD` names no level, or one that this CPU lacks.
+    pub fn from_env() -> Result<Self, SimdError> {
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        Ok(Self { threads, simd: SimdLevel::from_env()?, tile_order: TileOrder::default() })
+    }
+}
+
+/// Draws frames. Keeps its memory between them.
+pub struct Renderer {
+    options: RendererOptions,
+    level: Level,
+    chunks: Vec<Chunk>,
+    scratch: Vec<ChunkScratch>,
+    tiles: Vec<TileWorker>,
+}
+
+/// Fewer primitives and pixels than this are drawn by the caller alone: starting threads would cost more.
+const SMALL_FRAME: (usize, usize) = (2_000, 40_000);
+
+impl Renderer {
+    /// A renderer with these options.
+    ///
+    /// # Errors
+    /// The CPU lacks the SIMD level.
+    pub fn new(options: RendererOptions) -> Result<Self, SimdError> {
+        let level = options.simd.to_level().ok_or(SimdError::Unavailable(options.simd))?;
+        Ok(Self { options, level, chunks: Vec::new(), scratch: Vec::new(), tiles: Vec::new() })
+    }
+
+    /// Draws a frame: `draws` in order, into `picture`.
+    ///
+    /// # Errors
+    /// A picture size outside 1..=16 384, or a draw with more than 2^32 primitives.
+    pub fn render(
+        &mut self,
+        frame: &Frame,
+        draws: &[Draw<'_>],
+        picture: &mut Picture,
+    ) -> Result<FrameStatistics, FrameError> {
+        frame.check()?;
+        let tasks = chunk_tasks(draws)?;
+        picture.prepare(frame);
+        let pixels = frame.width as usize * frame.height as usize;
+        let primitives: usize = tasks.iter().map(|task| task.count).sum();
+        let is_small = primitives < SMALL_FRAME.0 && pixels < SMALL_FRAME.1;
+        let threads = if is_small { 1 } else { self.options.threads.max(1) };
+
+        let started = Instant::now();
+        self.run_geometry(frame, draws, &tasks, threads);
+        let geometry_time = started.elapsed();
+        let started = Instant::now();
+        let chunks = &self.chunks[..tasks.len()];
+        let bins = TileBins::new(frame, chunks);
+        self.tiles.resize_with(threads, TileWorker::default);
+        let bands = PictureBands::new(picture);
+        let input = TileInput { level: self.level, frame, draws, chunks };
+        let columns = frame.width.div_ceil(TILE_SIZE as u32);
+        let order = tile_sequence(self.options.tile_order, &bins.cost);
+        share(&mut self.tiles, order.into_iter(), |worker, tile| {
+            let (column, row) = (tile % columns, tile / columns);
+            worker.draw(&input, bins.segments(tile), column, row);
+            bands.store(column as usize, row as usize, worker.images());
+        });
+        let mut statistics = FrameStatistics {
+            tiles: bins.cost.len() as u64,
+            tile_triangles: bins.cost.iter().map(|c| u64::from(*c)).sum(),
+            geometry_time,
+            tile_time: started.elapsed(),
+            ..FrameStatistics::default()
+        };
+        for chunk in chunks {
+            statistics.geometry += chunk.statistics;
+        }
+        Ok(statistics)
+    }
+
+    fn run_geometry(&mut self, frame: &Frame, draws: &[Draw<'_>], tasks: &[ChunkTask], threads: usize) {
+        if self.chunks.len() < tasks.len() {
+            self.chunks.resize_with(tasks.len(), Chunk::default);
+        }
+        self.scratch.resize_with(threads, ChunkScratch::default);
+        let viewport = Viewport { width: frame.width, height: frame.height };
+        let level = self.level;
+        let work = tasks.iter().zip(&mut self.chunks);
+        share(&mut self.scratch, work, |scratch, (task, chunk)| {
+            let draw = &draws[task.draw as usize];
+            let input = ChunkInput {
+                primitives: draw.primitives,
+                first: task.first,
+                count: task.count,
+                cull: draw.cull,
+                viewport,
+                samples: frame.samples,
+            };
+            chunk.draw = task.draw;
+            let (vertices, positions) = scratch.assemble(&input);
+            draw.shader.positions(level, vertices, positions);
+            dispatch!(level, l => process_chunk(l, &input, scratch, chunk));
+        });
+    }
+}
+
+/// A range of a draw's primitives.
+struct ChunkTask {
+    draw: u32,
+    first: usize,
+    count: usize,
+}
+
+fn chunk_tasks(draws: &[Draw<'_>]) -> Result<Vec<ChunkTask>, FrameError> {
+    let mut tasks = Vec::new();
+    for (d, draw) in draws.iter().enumerate() {
+        let total = draw.primitives.count();
+        if u32::try_from(total).is_err() {
+            return Err(FrameError::TooManyPrimitives(total));
+        }
+        for first in (0..total).step_by(CHUNK_PRIMITIVES) {
+            tasks.push(ChunkTask { draw: d as u32, first, count: CHUNK_PRIMITIVES.min(total - first) });
+        }
+    }
+    Ok(tasks)
+}
+
+/// Every tile's segments, chunk by chunk in submission order.
+struct TileBins {
+    /// `(chunk, segment)`, grouped by tile.
+    segments: Vec<(u32, Segment)>,
+    /// First segment of each tile, and the end.
+    starts: Vec<u32>,
+    /// Triangles of each tile.
+    cost: Vec<u32>,
+}
+
+impl TileBins {
+    fn new(frame: &Frame, chunks: &[Chunk]) -> Self {
+        let size = TILE_SIZE as u32;
+        let tiles = frame.width.div_ceil(size) as usize * frame.height.div_ceil(size) as usize;
+        let mut starts = vec![0u32; tiles + 1];
+        let mut cost = vec![0u32; tiles];
+        for segment in chunks.iter().flat_map(|chunk| &chunk.segments) {
+            starts[segment.tile as usize + 1] += 1;
+            cost[segment.tile as usize] += segment.len;
+        }
+        for tile in 0..tiles {
+            starts[tile + 1] += starts[tile];
+        }
+        let mut next = starts.clone();
+        let empty = (0, Segment { tile: 0, start: 0, len: 0 });
+        let mut segments = vec![empty; starts[tiles] as usize];
+        for (c, chunk) in chunks.iter().enumerate() {
+            for segment in &chunk.segments {
+                let at = &mut next[segment.tile as usize];
+                segments[*at as usize] = (c as u32, *segment);
+                *at += 1;
+            }
+        }
+        Self { segments, starts, cost }
+    }
+
+    fn segments(&self, tile: u32) -> &[(u32, Segment)] {
+        let tile = tile as usize;
+        &self.segments[self.starts[tile] as usize..self.starts[tile + 1] as usize]
+    }
+}
