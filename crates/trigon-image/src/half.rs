@@ -85,6 +85,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::cast_possible_truncation, reason = "the middle of two halves has few bits")]
     fn rounding_is_to_nearest_even() {
         for half in positive_halves() {
             let next = half + 1;

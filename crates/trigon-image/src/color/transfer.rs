@@ -18,13 +18,13 @@ use super::tables::{SRGB8_THRESHOLD_BITS, SRGB8_TO_LINEAR_BITS};
 pub const SRGB8_STEPS_FIRST_BITS: u32 = 0x3900_0000;
 
 const ONE_BITS: u32 = 0x3f80_0000;
-const BUCKETS: usize = ((ONE_BITS - SRGB8_STEPS_FIRST_BITS) >> 16) as usize;
+const BUCKETS: u32 = (ONE_BITS - SRGB8_STEPS_FIRST_BITS) >> 16;
 
 /// The table of [`linear_to_srgb`], for kernels that encode many pixels at once.
 ///
 /// For `x` in 2^-13 up to, not including, 1, with `bits = x.to_bits()`:
 /// `code = (SRGB8_STEPS[(bits - SRGB8_STEPS_FIRST_BITS) >> 16] + (bits & 0xffff)) >> 16`.
-pub static SRGB8_STEPS: [u32; BUCKETS] = srgb8_steps();
+pub static SRGB8_STEPS: [u32; BUCKETS as usize] = srgb8_steps();
 
 static SRGB8_TO_LINEAR: [f32; 256] = srgb8_to_linear_table();
 
@@ -66,6 +66,7 @@ pub fn srgb16_to_linear(code: u16) -> f32 {
 /// A parabola for each of 256 intervals an octave gives the encoded value to far less than [`NEAR_TIE`] of a code; only a
 /// value that close to a tie needs the power itself.
 #[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "the value is in 0..65536")]
 pub fn linear_to_srgb16(x: f32) -> u16 {
     if x >= 1.0 {
         return u16::MAX;
@@ -114,7 +115,7 @@ fn linear_to_srgb16_exact(x: f32) -> u16 {
 
 /// The bits of 2^-8, below which the linear segment of the curve is near enough to go to the exact function.
 const PARABOLA_FIRST_BITS: u32 = 0x3b80_0000;
-const PARABOLAS: usize = ((ONE_BITS - PARABOLA_FIRST_BITS) >> 15) as usize;
+const PARABOLAS: u32 = (ONE_BITS - PARABOLA_FIRST_BITS) >> 15;
 
 /// Distance from a tie, in 16-bit codes, within which the exact function decides.
 const NEAR_TIE: f64 = 0.01;
@@ -124,7 +125,7 @@ const NEAR_TIE: f64 = 0.01;
 fn parabolas() -> &'static [[f64; 3]] {
     static TABLE: OnceLock<Vec<[f64; 3]>> = OnceLock::new();
     TABLE.get_or_init(|| {
-        (0..PARABOLAS as u32)
+        (0..PARABOLAS)
             .map(|interval| {
                 let at = |offset: u32| {
                     let bits = PARABOLA_FIRST_BITS + (interval << 15) + offset;
@@ -149,28 +150,33 @@ const fn srgb8_to_linear_table() -> [f32; 256] {
     table
 }
 
-const fn srgb8_steps() -> [u32; BUCKETS] {
-    let mut steps = [0; BUCKETS];
-    let mut code = 0;
-    let mut bucket = 0;
+const fn srgb8_steps() -> [u32; BUCKETS as usize] {
+    let mut steps = [0; BUCKETS as usize];
+    let mut code: u32 = 0;
+    let mut bucket: u32 = 0;
     while bucket < BUCKETS {
-        let start = SRGB8_STEPS_FIRST_BITS + ((bucket as u32) << 16);
-        while code < 255 && SRGB8_THRESHOLD_BITS[code] <= start {
+        let start = SRGB8_STEPS_FIRST_BITS + (bucket << 16);
+        while threshold(code) <= start {
             code += 1;
         }
-        let rest = if code < 255 && SRGB8_THRESHOLD_BITS[code] < start + 0x1_0000 {
-            assert!(code == 254 || SRGB8_THRESHOLD_BITS[code + 1] >= start + 0x1_0000, "two thresholds in a bucket");
-            0x1_0000 - (SRGB8_THRESHOLD_BITS[code] - start)
-        } else {
-            0
-        };
-        steps[bucket] = ((code as u32) << 16) + rest;
+        let next = threshold(code);
+        steps[bucket as usize] = code << 16;
+        if next < start + 0x1_0000 {
+            assert!(threshold(code + 1) >= start + 0x1_0000, "a bucket holds at most one threshold");
+            steps[bucket as usize] += 0x1_0000 - (next - start);
+        }
         bucket += 1;
     }
     steps
 }
 
+/// Bits of the smallest float that encodes to more than `code`; none does to more than 255.
+const fn threshold(code: u32) -> u32 {
+    if code < 255 { SRGB8_THRESHOLD_BITS[code as usize] } else { u32::MAX }
+}
+
 #[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "the reference rounds")]
 mod tests {
     use super::*;
 

@@ -19,3 +19,4 @@ mod webp;
 
 pub use decoded_image::DecodedImage;
 pub use dispatch::decode;
+pub(crate) use qoi::hash as qoi_hash;

@@ -86,6 +86,9 @@ pub fn encode<'a>(
     match format {
         Format::Png => super::png::encode(image, options),
         Format::Tga => super::tga::encode(&image.to_rgba8(), options),
+        Format::Qoi => Ok(super::qoi::encode(&image.to_rgba8())),
+        Format::Jpeg => super::jpeg::encode(&image.to_rgba8(), options),
+        Format::Gif => super::gif::encode(&image.to_rgba8(), options),
         Format::Exr => super::exr::encode(image, options),
         _ => Err(EncodeError::unsupported(format, "this format is only read; write PNG, TGA, QOI, JPEG, GIF or EXR")),
     }

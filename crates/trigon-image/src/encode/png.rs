@@ -13,6 +13,13 @@ pub(super) fn encode(image: ImageRef<'_>, options: &EncodeOptions) -> Result<Vec
     write(image.width(), image.height(), &samples, options.effort)
 }
 
+/// The picture with four channels of 8 bits, opaque or not.
+pub(super) fn encode_rgba8(image: &Rgba8Image, effort: Effort) -> Result<Vec<u8>, EncodeError> {
+    let bytes = image.as_bytes().to_vec();
+    let samples = Samples { color: ColorType::Rgba, depth: BitDepth::Eight, bytes, is_srgb: true };
+    write(image.width(), image.height(), &samples, effort)
+}
+
 /// Interleaved samples as PNG stores them: 16-bit samples big-endian.
 struct Samples {
     color: ColorType,
