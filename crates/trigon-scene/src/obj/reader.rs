@@ -1,0 +1,381 @@
+//! The stages of reading an OBJ file, led from the text to the scene.
+
+use super::block::{Block, EventKind, shorten, why_ignored};
+use super::element::MAX_ELEMENTS;
+use super::resolve::{Counts, Primitives, Usage, resolve_block};
+use super::runs::Runs;
+use super::split::{BLOCK_BYTES, split};
+use crate::geometry::{ABSENT, Corner, Smoothing, Unifier, gather, generate_normals};
+use crate::load::{Findings, LoadError, LoadOptions, Place, SideFiles, WarningKind, parallel_map};
+use crate::math::{Mat4, vec3};
+use crate::mtl;
+use crate::scene::{Instance, Material, MaterialId, Mesh, MeshId, Scene};
+use crate::text::{decode_name, to_single_byte_text};
+use std::collections::HashMap;
+
+/// Reads an OBJ file: one mesh, one instance, and the materials in use.
+pub(crate) fn read(
+    bytes: &[u8],
+    file: &str,
+    options: &LoadOptions,
+    side_files: &mut SideFiles<'_>,
+    findings: &mut Findings,
+) -> Result<Scene, LoadError> {
+    let text = to_single_byte_text(bytes);
+    let threads = options.thread_count();
+    let blocks = parallel_map(threads, split(&text, BLOCK_BYTES), |_, text| Block::parse(text));
+    let mut attributes = Attributes::collect(&blocks, file, options)?;
+    let blocks = resolve(blocks, &attributes, threads, file, options)?;
+
+    let lines_before = lines_before(&blocks);
+    report(&blocks, &lines_before, file, findings)?;
+    let runs = runs(&blocks, &lines_before);
+    let mut library = Library::default();
+    for (block, &lines) in blocks.iter().map(|(block, _)| block).zip(&lines_before) {
+        for event in block.events.iter().filter(|event| event.kind == EventKind::Library) {
+            let line = lines + u64::from(event.line) + 1;
+            library.load(event.name, file, line, options, side_files, findings)?;
+        }
+    }
+    let (materials, ids) = library.pick(&runs, file, findings)?;
+
+    let mut primitives: Vec<Primitives> = blocks.into_iter().map(|(_, primitives)| primitives).collect();
+    add_normals(&mut primitives, &mut attributes, &runs, options);
+    let mesh = assemble(primitives, attributes, &runs, &ids, threads);
+    let instance = Instance { mesh: MeshId(0), world_from_model: Mat4::IDENTITY, name: file.to_owned() };
+    Ok(Scene { meshes: vec![mesh], instances: vec![instance], materials, ..Scene::default() })
+}
+
+/// The attribute values of the whole file.
+struct Attributes {
+    positions: Vec<[f32; 3]>,
+    /// As written; empty or one per position.
+    colors: Vec<[f32; 4]>,
+    uvs: Vec<[f32; 2]>,
+    normals: Vec<[f32; 3]>,
+}
+
+impl Attributes {
+    fn collect(blocks: &[Block<'_>], file: &str, options: &LoadOptions) -> Result<Self, LoadError> {
+        let [positions, uvs, normals] = blocks.iter().fold([0; 3], |sum, block| add(sum, counts(block)));
+        let allowed = options.limits.vertices.min(u64::try_from(MAX_ELEMENTS).unwrap_or(u64::MAX));
+        let most = positions.max(uvs).max(normals);
+        if u64::try_from(most).unwrap_or(u64::MAX) > allowed {
+            return Err(LoadError::limit(file, "vertices", allowed));
+        }
+        let mut all = Self {
+            positions: Vec::with_capacity(positions),
+            colors: Vec::new(),
+            uvs: Vec::with_capacity(uvs),
+            normals: Vec::with_capacity(normals),
+        };
+        let has_colors = blocks.iter().any(|block| !block.colors.is_empty());
+        for block in blocks {
+            all.positions.extend_from_slice(&block.positions);
+            all.uvs.extend_from_slice(&block.uvs);
+            all.normals.extend_from_slice(&block.normals);
+            if has_colors {
+                all.colors.extend_from_slice(&block.colors);
+                all.colors.resize(all.positions.len(), [1.0; 4]);
+            }
+        }
+        Ok(all)
+    }
+
+    fn counts(&self) -> Counts {
+        [self.positions.len(), self.uvs.len(), self.normals.len()]
+    }
+}
+
+fn counts(block: &Block<'_>) -> Counts {
+    [block.positions.len(), block.uvs.len(), block.normals.len()]
+}
+
+fn add(a: Counts, b: Counts) -> Counts {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// Final indices for every block, in parallel.
+fn resolve<'a>(
+    blocks: Vec<Block<'a>>,
+    attributes: &Attributes,
+    threads: usize,
+    file: &str,
+    options: &LoadOptions,
+) -> Result<Vec<(Block<'a>, Primitives)>, LoadError> {
+    let triangles: u64 = blocks.iter().map(|block| block.faces.triangle_count()).sum();
+    let allowed = options.limits.triangles.min(u64::from(u32::MAX / 3));
+    if triangles > allowed {
+        return Err(LoadError::limit(file, "triangles", allowed));
+    }
+    let mut before = [0; 3];
+    let mut items = Vec::with_capacity(blocks.len());
+    for block in blocks {
+        let count = counts(&block);
+        items.push((block, before));
+        before = add(before, count);
+    }
+    let totals = attributes.counts();
+    let positions = &attributes.positions;
+    Ok(parallel_map(threads, items, |_, (block, before)| resolve_block(block, before, totals, positions)))
+}
+
+/// For each block the number of lines before it.
+fn lines_before(blocks: &[(Block<'_>, Primitives)]) -> Vec<u64> {
+    let mut before = 0;
+    let count = |(block, _): &(Block<'_>, Primitives)| {
+        let lines = before;
+        before += u64::from(block.n_lines);
+        lines
+    };
+    blocks.iter().map(count).collect()
+}
+
+/// Passes on what the blocks found, in order of lines.
+fn report(
+    blocks: &[(Block<'_>, Primitives)],
+    lines_before: &[u64],
+    file: &str,
+    findings: &mut Findings,
+) -> Result<(), LoadError> {
+    let mut ignored: Vec<&[u8]> = Vec::new();
+    for ((block, primitives), &lines) in blocks.iter().zip(lines_before) {
+        for &(word, line) in &block.ignored {
+            if ignored.len() < 64 && !ignored.contains(&word) {
+                ignored.push(word);
+                let message = format!("statement {} ignored{}", shorten(word), why_ignored(word));
+                findings.warn(file, Place::Line(lines + u64::from(line) + 1), WarningKind::Ignored, message)?;
+            }
+        }
+        let mut notes: Vec<_> = block.notes.iter().chain(&primitives.notes).collect();
+        notes.sort_by_key(|note| note.line);
+        for note in notes {
+            let place = Place::Line(lines + u64::from(note.line) + 1);
+            findings.warn(file, place, note.kind, note.message.as_str())?;
+        }
+        findings.suppress(block.suppressed_notes + primitives.suppressed_notes);
+    }
+    Ok(())
+}
+
+/// Follows the state changes through all blocks.
+fn runs<'a>(blocks: &[(Block<'a>, Primitives)], lines_before: &[u64]) -> Runs<'a> {
+    let mut runs = Runs::default();
+    let mut base = [0; 3];
+    for ((block, primitives), &lines) in blocks.iter().zip(lines_before) {
+        for (event, &before) in block.events.iter().zip(&primitives.before_events) {
+            runs.event(event.kind, event.name, lines + u64::from(event.line), add(base, before));
+        }
+        base = add(base, [primitives.triangles.len() / 3, primitives.segments.len() / 2, primitives.points.len()]);
+    }
+    runs.primitives_until(base);
+    runs
+}
+
+/// The materials of all libraries of a file.
+#[derive(Default)]
+struct Library {
+    materials: Vec<Material>,
+    ids: HashMap<String, usize>,
+    /// Paths read, so that each is read once.
+    loaded: Vec<String>,
+    /// Whether a library is missing, which explains missing materials.
+    is_incomplete: bool,
+}
+
+impl Library {
+    /// The most libraries of one file.
+    const MAX_FILES: usize = 256;
+
+    /// Loads what a `mtllib` statement names: one file whose name may hold blanks, or several.
+    fn load(
+        &mut self,
+        names: &[u8],
+        file: &str,
+        line: u64,
+        options: &LoadOptions,
+        side_files: &mut SideFiles<'_>,
+        findings: &mut Findings,
+    ) -> Result<(), LoadError> {
+        for name in library_names(names, side_files) {
+            let Some(found) = side_files.find(name, "") else {
+                self.is_incomplete = true;
+                let message = format!("material library {} not found; neutral materials used", decode_name(name));
+                findings.warn(file, Place::Line(line), WarningKind::MissingFile, message)?;
+                continue;
+            };
+            if self.loaded.contains(&found) || self.loaded.len() >= Self::MAX_FILES {
+                continue;
+            }
+            match side_files.read(&found, options.limits.file_bytes) {
+                Ok(bytes) => self.add(&bytes, &found, options, side_files, findings)?,
+                Err(problem) => {
+                    self.is_incomplete = true;
+                    findings.warn(file, Place::Line(line), problem.kind, problem.message)?;
+                }
+            }
+            self.loaded.push(found);
+        }
+        Ok(())
+    }
+
+    fn add(
+        &mut self,
+        bytes: &[u8],
+        found: &str,
+        options: &LoadOptions,
+        side_files: &mut SideFiles<'_>,
+        findings: &mut Findings,
+    ) -> Result<(), LoadError> {
+        let mut context = mtl::Context {
+            side_files,
+            findings,
+            skip_textures: options.skip_textures,
+            max_materials: options.limits.materials,
+        };
+        for material in mtl::read_library(bytes, found, &mut context)? {
+            // The first library that defines a name wins.
+            if !self.ids.contains_key(&material.name) {
+                self.ids.insert(material.name.clone(), self.materials.len());
+                self.materials.push(material);
+            }
+        }
+        if u64::try_from(self.materials.len()).unwrap_or(u64::MAX) > options.limits.materials {
+            return Err(LoadError::limit(found, "materials", options.limits.materials));
+        }
+        Ok(())
+    }
+
+    /// The materials in use and their ids, in order of first use; neutral ones for those that are not defined.
+    fn pick(
+        &self,
+        runs: &Runs<'_>,
+        file: &str,
+        findings: &mut Findings,
+    ) -> Result<(Vec<Material>, Vec<MaterialId>), LoadError> {
+        let mut materials = Vec::new();
+        let mut ids = Vec::new();
+        for (name, line) in runs.materials() {
+            ids.push(MaterialId(u32::try_from(materials.len()).unwrap_or(u32::MAX)));
+            let Some(name) = name else {
+                materials.push(Material::default());
+                continue;
+            };
+            let name = decode_name(name).into_owned();
+            if let Some(&id) = self.ids.get(&name) {
+                materials.push(self.materials[id].clone());
+                continue;
+            }
+            if !self.is_incomplete && !name.is_empty() {
+                let message = format!("material {name} is not defined; a neutral one used");
+                findings.warn(file, Place::Line(line + 1), WarningKind::MissingMaterial, message)?;
+            }
+            materials.push(Material { name, ..Material::default() });
+        }
+        Ok((materials, ids))
+    }
+}
+
+/// The files a `mtllib` statement names. The statement separates files by blanks, and names hold blanks too: the whole
+/// is one name if there is such a file or if it has only one extension; else words are joined up to the next `.mtl`.
+fn library_names<'a>(names: &'a [u8], side_files: &SideFiles<'_>) -> Vec<&'a [u8]> {
+    let is_blank = |b: &u8| b.is_ascii_whitespace();
+    if !names.iter().any(is_blank) || side_files.find(names, "").is_some() {
+        return vec![names];
+    }
+    let mut split = Vec::new();
+    let mut start = 0;
+    for end in (1..=names.len()).filter(|&end| end == names.len() || is_blank(&names[end])) {
+        let name = names[start..end].trim_ascii();
+        let has_extension = name.len() > 4 && name[name.len() - 4..].eq_ignore_ascii_case(b".mtl");
+        if !name.is_empty() && (has_extension || end == names.len()) {
+            split.push(name);
+            start = end;
+        }
+        if split.len() >= Library::MAX_FILES {
+            break;
+        }
+    }
+    split
+}
+
+/// Generates normals for corners that have none.
+fn add_normals(primitives: &mut [Primitives], attributes: &mut Attributes, runs: &Runs<'_>, options: &LoadOptions) {
+    let usage = usage(primitives);
+    if !usage.lacking[1] {
+        return;
+    }
+    let corners = primitives.iter().flat_map(|block| block.triangles.as_chunks::<3>().0);
+    let triangles: Vec<[u32; 3]> = corners.map(|[a, b, c]| [a[0], b[0], c[0]]).collect();
+    let groups = runs.smoothing_groups(triangles.len());
+    let smoothing = match &groups {
+        Some(groups) => Smoothing::Groups(groups),
+        None => Smoothing::Angle(options.crease_cosine()),
+    };
+    let made = generate_normals(options.thread_count(), &attributes.positions, &triangles, smoothing);
+    let base = u32::try_from(attributes.normals.len()).unwrap_or(u32::MAX);
+    attributes.normals.extend_from_slice(&made.normals);
+    let corners = primitives.iter_mut().flat_map(|block| &mut block.triangles);
+    for (corner, &normal) in corners.zip(made.corners.as_flattened()) {
+        if corner[2] == ABSENT {
+            corner[2] = base + normal;
+        }
+    }
+}
+
+fn usage(primitives: &[Primitives]) -> Usage {
+    primitives.iter().fold(Usage::default(), |usage, block| usage.and(block.usage))
+}
+
+/// Makes single-index vertices and puts the mesh together.
+fn assemble(
+    primitives: Vec<Primitives>,
+    attributes: Attributes,
+    runs: &Runs<'_>,
+    ids: &[MaterialId],
+    threads: usize,
+) -> Mesh {
+    let has_uvs = primitives.iter().any(|block| block.usage.some[0]);
+    let mut unifier = Unifier::new(attributes.positions.len());
+    let n_triangles = primitives.iter().map(|block| block.triangles.len() / 3).sum();
+    let mut triangles = Vec::with_capacity(n_triangles);
+    let (mut segments, mut points) = (Vec::new(), Vec::new());
+    for block in primitives {
+        let mut index = |corner: &Corner| unifier.vertex(*corner);
+        triangles.extend(block.triangles.as_chunks::<3>().0.iter().map(|corners| corners.each_ref().map(&mut index)));
+        segments.extend(block.segments.as_chunks::<2>().0.iter().map(|corners| corners.each_ref().map(&mut index)));
+        points.extend(block.points.iter().map(&mut index));
+    }
+    let has_normals = !triangles.is_empty();
+    let submeshes = runs.submeshes(ids, &mut triangles, &mut segments, &mut points);
+    let vertices = unifier.into_vertices();
+    let Attributes { positions, colors, uvs, normals } = attributes;
+    let color_scale = if colors.iter().flatten().any(|c| *c > 1.0 + 1e-3) { 1.0 / 255.0 } else { 1.0 };
+    Mesh {
+        positions: gather(threads, &vertices, 0, &positions, [0.0; 3], |p| p),
+        normals: if_some(has_normals, || gather(threads, &vertices, 2, &normals, [0.0; 3], unit)),
+        uvs: if_some(has_uvs, || gather(threads, &vertices, 1, &uvs, [0.0; 2], |uv| uv)),
+        colors: if_some(!colors.is_empty(), || {
+            gather(threads, &vertices, 0, &colors, [1.0; 4], |c| crate::color::linear_from_srgb(c, color_scale))
+        }),
+        tangents: Vec::new(),
+        triangles,
+        segments,
+        points,
+        parts: runs.parts(),
+        submeshes,
+    }
+}
+
+fn if_some<T>(condition: bool, make: impl FnOnce() -> Vec<T>) -> Vec<T> {
+    if condition { make() } else { Vec::new() }
+}
+
+/// The unit vector; as it is if it is one already, zero if there is none.
+fn unit(normal: [f32; 3]) -> [f32; 3] {
+    let wide = vec3::widen(normal);
+    if (vec3::dot(wide, wide) - 1.0).abs() < 1e-4 {
+        return normal;
+    }
+    vec3::normalized(wide).map_or([0.0; 3], vec3::narrow)
+}
