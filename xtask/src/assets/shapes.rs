@@ -95,11 +95,11 @@ pub(crate) fn block(low: V3, high: V3, uv_scale: f64) -> Vec<Face> {
     faces
 }
 
-/// A square tile of the given half width, its top narrower by `bevel`: the top carries the texture once, the bevel
-/// and the sides its border.
-pub(crate) fn tile(half: f64, height: f64, bevel: f64) -> Vec<Face> {
+/// A square tile of the given half width, its top narrower by `bevel`: the top carries the texture `repeats` times
+/// each way, the bevel and the sides its border.
+pub(crate) fn tile(half: f64, height: f64, bevel: f64, repeats: f64) -> Vec<Face> {
     let inner = half - bevel;
-    let top = quad([-inner, height, inner], [2.0 * inner, 0.0, 0.0], [0.0, 0.0, -2.0 * inner], [1.0, 1.0]);
+    let top = quad([-inner, height, inner], [2.0 * inner, 0.0, 0.0], [0.0, 0.0, -2.0 * inner], [repeats; 2]);
     let bottom = quad([-half, 0.0, -half], [2.0 * half, 0.0, 0.0], [0.0, 0.0, 2.0 * half], [1.0, 1.0]);
     let mut faces = vec![top, bottom];
     let shoulder = height - bevel;
@@ -184,7 +184,7 @@ mod tests {
         ];
         assert_closed_and_sound(revolve(&barrel, 12, 3.0), Form::Full);
         assert_closed_and_sound(block([-1.0, 0.0, -2.0], [1.0, 3.0, 2.0], 1.0), Form::Full);
-        assert_closed_and_sound(tile(1.0, 0.5, 0.1), Form::Full);
+        assert_closed_and_sound(tile(1.0, 0.5, 0.1, 3.0), Form::Full);
         assert_closed_and_sound(faceted_ball(1.0), Form::Position);
     }
 

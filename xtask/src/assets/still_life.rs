@@ -18,8 +18,8 @@ const TABLE_RADIUS: f64 = 6.3;
 pub(crate) fn objects() -> Vec<Object> {
     vec![
         table(),
-        trivet().placed(Placement::at([-1.2, 0.0, -1.1]).turned(24.0)),
-        teapot(FINENESS).placed(Placement::at([-1.2, 0.34, -1.1]).turned(-18.0)),
+        trivet().placed(Placement::at([-1.3, 0.0, -1.2]).turned(14.0)),
+        teapot(FINENESS).placed(Placement::at([-1.3, 0.34, -1.2]).turned(-20.0).scaled(1.12)),
         bowl().placed(Placement::at(BOWL)),
         oranges(),
         leaves(),
@@ -61,20 +61,20 @@ pub(crate) const MATERIALS: [Material; 13] = [
         name: "copper",
         about: "A hammered bowl: tangent-space normal map under a strong coloured highlight.",
         illum: 2,
-        diffuse: [0.52, 0.24, 0.13],
-        specular: [0.95, 0.58, 0.42],
+        diffuse: [0.46, 0.17, 0.07],
+        specular: [0.95, 0.52, 0.34],
         exponent: 48.0,
         maps: &[Map::new("norm", "hammered-normal.png")],
         ..PLAIN
     },
     Material {
         name: "orange",
-        about: "The skin of a fruit: a height map, 0.02 units deep.",
+        about: "The skin of a fruit: a height map, 0.012 units deep.",
         illum: 2,
         diffuse: [0.93, 0.36, 0.03],
         specular: [0.22, 0.20, 0.18],
         exponent: 24.0,
-        maps: &[Map::with_options("map_bump", "-bm 0.02 ", "peel-height.png")],
+        maps: &[Map::with_options("map_bump", "-bm 0.012 ", "peel-height.png")],
         ..PLAIN
     },
     Material {
@@ -115,7 +115,7 @@ pub(crate) const MATERIALS: [Material; 13] = [
         name: "brass",
         about: "A faceted ball without normals or texture coordinates: the reader makes them.",
         illum: 2,
-        diffuse: [0.50, 0.34, 0.09],
+        diffuse: [0.48, 0.31, 0.06],
         specular: [1.0, 0.80, 0.42],
         exponent: 30.0,
         ..PLAIN
@@ -124,20 +124,20 @@ pub(crate) const MATERIALS: [Material; 13] = [
         name: "tea",
         about: "Nearly opaque: blended over what is behind it.",
         illum: 2,
-        diffuse: [0.50, 0.16, 0.02],
+        diffuse: [0.56, 0.16, 0.015],
         specular: [0.4; 3],
         exponent: 120.0,
-        dissolve: 0.82,
+        dissolve: 0.9,
         ..PLAIN
     },
     Material {
         name: "glass",
         about: "Nearly clear: little colour of its own, a sharp highlight.",
         illum: 2,
-        diffuse: [0.75, 0.86, 0.88],
+        diffuse: [0.24, 0.30, 0.30],
         specular: [1.0; 3],
         exponent: 300.0,
-        dissolve: 0.16,
+        dissolve: 0.2,
         ..PLAIN
     },
     Material {
@@ -203,29 +203,29 @@ fn table() -> Object {
 }
 
 fn trivet() -> Object {
-    Object::new("trivet", vec![Part::new("tile", "zellige", Form::Full, tile(2.15, 0.34, 0.08))])
+    Object::new("trivet", vec![Part::new("tile", "zellige", Form::Full, tile(2.35, 0.34, 0.07, 3.0))])
 }
 
 fn bowl() -> Object {
     let profile = [
-        Stretch::line([0.0, 0.0], [0.75, 0.0], [0.0, 0.12]),
-        Stretch::new(Curve([[0.75, 0.0], [0.85, 0.0], [0.85, 0.12], [0.8, 0.16]]), 2, [0.12, 0.16]),
-        Stretch::new(Curve([[0.8, 0.16], [1.6, 0.2], [2.0, 0.65], [2.1, 1.25]]), 6, [0.16, 0.6]),
-        Stretch::new(Curve([[2.1, 1.25], [2.12, 1.36], [2.0, 1.38], [1.98, 1.27]]), 3, [0.6, 0.66]),
-        Stretch::new(Curve([[1.98, 1.27], [1.86, 0.72], [1.45, 0.30], [0.0, 0.24]]), 6, [0.66, 1.3]),
+        Stretch::line([0.0, 0.0], [0.75, 0.0], [0.0, 0.3]),
+        Stretch::new(Curve([[0.75, 0.0], [0.85, 0.0], [0.85, 0.12], [0.8, 0.16]]), 2, [0.3, 0.4]),
+        Stretch::new(Curve([[0.8, 0.16], [1.6, 0.2], [2.0, 0.65], [2.1, 1.25]]), 5, [0.4, 1.3]),
+        Stretch::new(Curve([[2.1, 1.25], [2.12, 1.36], [2.0, 1.38], [1.98, 1.27]]), 3, [1.3, 1.4]),
+        Stretch::new(Curve([[1.98, 1.27], [1.86, 0.72], [1.45, 0.30], [0.0, 0.24]]), 5, [1.4, 2.6]),
     ];
-    Object::new("bowl", vec![Part::new("hammered", "copper", Form::Full, revolve(&profile, 32, 4.0))])
+    Object::new("bowl", vec![Part::new("hammered", "copper", Form::Full, revolve(&profile, 28, 6.0))])
 }
 
 /// Two in the bowl, one on the table: the same faces three times, so that they share normals and coordinates.
 fn oranges() -> Object {
     // A ball a little flattened, with a dimple at the stalk.
     let profile = [
-        Stretch::new(Curve([[0.0, 0.0], [0.56, 0.0], [1.0, 0.42], [1.0, 0.94]]), 5, [0.0, 1.0]),
-        Stretch::new(Curve([[1.0, 0.94], [1.0, 1.5], [0.54, 1.90], [0.12, 1.86]]), 5, [1.0, 1.95]),
-        Stretch::new(Curve([[0.12, 1.86], [0.08, 1.85], [0.04, 1.80], [0.0, 1.80]]), 1, [1.95, 2.0]),
+        Stretch::new(Curve([[0.0, 0.0], [0.56, 0.0], [1.0, 0.42], [1.0, 0.94]]), 5, [0.0, 1.5]),
+        Stretch::new(Curve([[1.0, 0.94], [1.0, 1.5], [0.54, 1.90], [0.12, 1.86]]), 5, [1.5, 2.9]),
+        Stretch::new(Curve([[0.12, 1.86], [0.08, 1.85], [0.04, 1.80], [0.0, 1.80]]), 1, [2.9, 3.0]),
     ];
-    let orange = revolve(&profile, 20, 4.0);
+    let orange = revolve(&profile, 18, 6.0);
     let [x, _, z] = BOWL;
     let places = [([x - 0.72, 0.44, z + 0.30], 0.86), ([x + 0.72, 0.42, z - 0.20], 0.90), ([0.75, 0.0, 4.0], 0.84)];
     let mut faces = Vec::new();
@@ -251,7 +251,7 @@ fn leaves() -> Object {
 /// A leaf from the origin towards +z, 1.7 long, folded along its midrib and hanging towards the tip.
 fn leaf() -> Vec<Face> {
     let surface = |s: f64, t: f64| {
-        let x = (s - 0.5) * 0.85;
+        let x = (s - 0.5) * 0.72;
         let z = t * 1.7;
         [x, 0.34 * t * (1.0 - t) - 0.16 * t * t + 0.55 * x * x + 0.22 * x.abs(), z]
     };
@@ -323,20 +323,18 @@ fn paperweight() -> Object {
     Object::new("paperweight", vec![Part::new("facets", "brass", Form::Position, faceted_ball(0.72))])
 }
 
-/// A glass of tea: the liquid, then the wall's inside, then its outside with the foot.
+/// A glass of tea: the gilded rim, the liquid, then the thin wall around it.
 fn tea_glass() -> Object {
-    let outer = Curve([[0.62, 0.06], [1.05, 0.5], [0.52, 0.95], [0.82, 1.75]]);
-    let inner = Curve([[0.78, 1.75], [0.48, 0.97], [0.98, 0.52], [0.5, 0.22]]);
+    let wall = Curve([[0.62, 0.06], [1.05, 0.5], [0.52, 0.95], [0.82, 1.75]]);
     let tea = [
-        Stretch::line([0.0, 0.22], [0.5, 0.22], [0.0; 2]),
-        Stretch::new(Curve([[0.5, 0.22], [0.94, 0.55], [0.56, 0.85], [0.6, 1.30]]), 6, [0.0; 2]),
-        Stretch::line([0.6, 1.30], [0.0, 1.30], [0.0; 2]),
+        Stretch::line([0.0, 0.14], [0.58, 0.14], [0.0; 2]),
+        Stretch::new(Curve([[0.58, 0.14], [0.94, 0.52], [0.56, 0.85], [0.64, 1.30]]), 6, [0.0; 2]),
+        Stretch::line([0.64, 1.30], [0.0, 1.30], [0.0; 2]),
     ];
-    let inside = [Stretch::new(inner, 8, [0.0; 2]), Stretch::line([0.5, 0.22], [0.0, 0.20], [0.0; 2])];
-    let outside = [
+    let glass = [
         Stretch::line([0.0, 0.0], [0.58, 0.0], [0.0; 2]),
         Stretch::new(Curve([[0.58, 0.0], [0.63, 0.0], [0.64, 0.04], [0.62, 0.06]]), 3, [0.0; 2]),
-        Stretch::new(outer, 8, [0.0; 2]),
+        Stretch::new(wall, 8, [0.0; 2]),
     ];
     let rim = [Stretch::new(Curve([[0.82, 1.75], [0.83, 1.80], [0.77, 1.80], [0.78, 1.75]]), 2, [0.0; 2])];
     let part = |group, material, profile: &[Stretch]| {
@@ -344,12 +342,7 @@ fn tea_glass() -> Object {
     };
     Object::new(
         "tea-glass",
-        vec![
-            part("rim", "thread", &rim),
-            part("liquid", "tea", &tea),
-            part("inside", "glass", &inside),
-            part("outside", "glass", &outside),
-        ],
+        vec![part("rim", "thread", &rim), part("liquid", "tea", &tea), part("wall", "glass", &glass)],
     )
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::finding::{Finding, Rule};
 
-const PERMISSIVE: [&str; 16] = [
+const PERMISSIVE: [&str; 17] = [
     "0BSD",
     "Apache-2.0",
     "Apache-2.0 WITH LLVM-exception",
@@ -16,6 +16,7 @@ const PERMISSIVE: [&str; 16] = [
     "BSD-3-Clause",
     "BSL-1.0",
     "CC0-1.0",
+    "IJG",
     "ISC",
     "MIT",
     "MIT-0",

@@ -1,7 +1,6 @@
 //! An orange leaf: its colour, and where it is (1) and is not (0). The stalk is at v = 0.
 
 use super::canvas::{Grid, srgb};
-use super::noise::Lattice;
 use crate::assets::vector::smoothstep;
 
 const GRID: Grid = Grid::new(128, 256, 3);
@@ -33,9 +32,8 @@ pub(crate) fn leaf_colour() -> Vec<u8> {
         let along = (v - 0.75 * x.abs() + 0.5 * x * x) * 9.0;
         let side = (along - along.round()).abs();
         let veins = (1.0 - smoothstep(0.012, 0.030, x.abs())).max(0.55 * (1.0 - smoothstep(0.05, 0.13, side)));
-        let mottle = Lattice::new(4, 8, 13).noise(u, v);
         let between = smoothstep(0.0, 0.5, side);
-        dark.mixed(light, 0.30 + 0.35 * between + 0.3 * (mottle - 0.5)).mixed(vein, veins)
+        dark.mixed(light, 0.25 + 0.35 * between).mixed(vein, veins)
     })
 }
 

@@ -10,5 +10,5 @@ pub(crate) fn metal_normal() -> Vec<u8> {
 fn height(u: f64, v: f64) -> f64 {
     const DENTS: Lattice = Lattice::new(7, 7, 3);
     let (distance, _) = DENTS.nearest_point(u, v);
-    0.062 * distance * distance
+    0.048 * distance * distance
 }

@@ -32,7 +32,7 @@ fn tone(u: f64, v: f64) -> f64 {
     let late = smoothstep(0.25, 0.92, ring) * (1.0 - smoothstep(0.94, 1.0, ring));
     let fibre = Lattice::new(6, 160, 31).fractal(2, u + shift * 3.0, v) - 0.5;
     let pores = smoothstep(0.66, 0.86, Lattice::new(14, 230, 41).noise(u + shift, v));
-    let wood = 0.74 + shade - 0.30 * late + 0.24 * fibre - 0.16 * pores;
+    let wood = 0.74 + shade - 0.24 * late + 0.26 * fibre - 0.18 * pores;
     wood * (1.0 - joint(u, y, plank))
 }
 
