@@ -1,7 +1,8 @@
 //! The still life: a tea table with one object for each thing a material can be.
 //!
-//! One unit is about 5 cm. The table's top is at y = 0, its middle at the origin; the picture is composed for a
-//! viewer in front (+z), a little to the right and above. What is transparent comes last, the innermost first, as
+//! One unit is about 5 cm. The table's top is at y = 0, its middle at the origin. The places below are those of a
+//! viewer in front (+z) and a little to the right; all is then turned towards the view that trigon chooses by itself,
+//! 35 degrees to the right. What is transparent comes last, the innermost first, as
 //! blending in the order of the file wants it.
 
 use super::bezier::Curve;
@@ -12,21 +13,24 @@ use super::teapot::{Fineness, teapot};
 use super::vector::{Placement, cross, normalize, sub};
 
 const FINENESS: Fineness = Fineness { quarter: 9, row_halves: 2, tube: 6 };
-const TABLE_RADIUS: f64 = 6.3;
+const TABLE_RADIUS: f64 = 5.85;
+/// How far all is turned, in degrees, counter-clockwise from above.
+const TURN: f64 = 17.0;
 
 /// Everything, in the order of the file.
 pub(crate) fn objects() -> Vec<Object> {
-    vec![
+    let placed = [
         table(),
         trivet().placed(Placement::at([-1.3, 0.0, -1.2]).turned(14.0)),
         teapot(FINENESS).placed(Placement::at([-1.3, 0.34, -1.2]).turned(-20.0).scaled(1.12)),
         bowl().placed(Placement::at(BOWL)),
         oranges(),
         leaves(),
-        lantern().placed(Placement::at([3.1, 0.0, -2.9]).turned(-28.0)),
-        paperweight().placed(Placement::at([-4.35, 0.68, 2.0]).turned(20.0)),
-        tea_glass().placed(Placement::at([-0.55, 0.0, 3.75])),
-    ]
+        lantern().placed(Placement::at([2.95, 0.0, -2.65]).turned(-28.0)),
+        paperweight().placed(Placement::at([-4.0, 0.68, 1.7]).turned(20.0)),
+        tea_glass().placed(Placement::at([-1.05, 0.0, 3.6])),
+    ];
+    placed.into_iter().map(|object| object.placed(Placement::at([0.0; 3]).turned(TURN))).collect()
 }
 
 const BOWL: [f64; 3] = [2.75, 0.0, 1.95];
@@ -244,7 +248,7 @@ fn leaves() -> Object {
     let mut faces = at([0.78, 1.50, 4.0], 118.0, 8.0, 1.0);
     faces.extend(at([0.70, 1.50, 4.05], -12.0, 20.0, 0.85));
     faces.extend(at([x - 0.72, 2.0, z + 0.3], 150.0, 4.0, 1.05));
-    faces.extend(at([-2.55, 0.12, 2.75], 38.0, 0.0, 1.1));
+    faces.extend(at([-2.4, 0.12, 4.2], 75.0, 0.0, 1.1));
     Object::new("leaves", vec![Part::new("leaf", "leaf", Form::Full, faces)])
 }
 
