@@ -2,7 +2,7 @@
 //!
 //! Winding is counter-clockwise seen from the side the normals point to.
 
-use super::vector::{Placement, V2, V3, length, sub};
+use super::vector::{Placement, V2, V3, add, cross, length, normalize, sub};
 
 /// One corner of a face.
 #[derive(Debug, Clone, Copy)]
@@ -84,6 +84,27 @@ pub(crate) fn placed(mut faces: Vec<Face>, placement: Placement) -> Vec<Face> {
     faces
 }
 
+/// The faces with the normal of their plane at every corner.
+pub(crate) fn faceted(mut faces: Vec<Face>) -> Vec<Face> {
+    for face in &mut faces {
+        let normal = normalize(area_normal(face));
+        for corner in face {
+            corner.normal = normal;
+        }
+    }
+    faces
+}
+
+/// The normal of a polygon, as long as twice its area (Newell's method).
+fn area_normal(face: &[Corner]) -> V3 {
+    let mut sum = [0.0; 3];
+    for (index, corner) in face.iter().enumerate() {
+        let next = face[(index + 1) % face.len()];
+        sum = add(sum, cross(sub(corner.position, face[0].position), sub(next.position, face[0].position)));
+    }
+    sum
+}
+
 /// Quads over a parameter square: `surface(s, t)` at (`columns` + 1) x (`rows` + 1) points of [0, 1] x [0, 1].
 ///
 /// Counter-clockwise where ds x dt points to the viewer. A quad with an edge of no length becomes a triangle, whose
@@ -126,19 +147,9 @@ fn is_same_place(a: V3, b: V3) -> bool {
 pub(crate) mod checks {
     //! What every mesh of the generator must satisfy, for the tests of the shapes.
 
-    use super::{Face, Part};
-    use crate::assets::vector::{V3, add, cross, dot, length, normalize, sub};
+    use super::{Face, Part, area_normal};
+    use crate::assets::vector::{V3, dot, length, normalize};
     use std::collections::HashMap;
-
-    /// The normal of a polygon by Newell's method, as long as twice its area.
-    fn area_normal(face: &Face) -> V3 {
-        let mut sum = [0.0; 3];
-        for (index, corner) in face.iter().enumerate() {
-            let next = &face[(index + 1) % face.len()];
-            sum = add(sum, cross(sub(corner.position, face[0].position), sub(next.position, face[0].position)));
-        }
-        sum
-    }
 
     /// Faces have area, normals are unit and on the side of the winding, texture coordinates are in 0..=`uv_limit`.
     pub(crate) fn assert_sound(part: &Part, uv_limit: f64) {
