@@ -40,8 +40,16 @@ fn compare(path: &PathBuf, megabytes: usize, rounds: usize) -> Result<(), Box<dy
     println!("best of {rounds} rounds, file in the page cache:");
     println!("  trigon, 1 thread                       {one:6.3} s");
     println!("  trigon, all threads                    {all:6.3} s");
-    println!("  tobj, triangulate and single index     {other:6.3} s  {:.1} x  (1 thread {:.1} x)", other / all, other / one);
-    println!("  tobj, triangulate only                 {plain:6.3} s  {:.1} x  (1 thread {:.1} x)", plain / all, plain / one);
+    println!(
+        "  tobj, triangulate and single index     {other:6.3} s  {:.1} x  (1 thread {:.1} x)",
+        other / all,
+        other / one
+    );
+    println!(
+        "  tobj, triangulate only                 {plain:6.3} s  {:.1} x  (1 thread {:.1} x)",
+        plain / all,
+        plain / one
+    );
     Ok(())
 }
 

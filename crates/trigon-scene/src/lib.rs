@@ -6,5 +6,8 @@ pub mod load;
 pub mod math;
 mod mtl;
 mod obj;
+mod ply;
+pub mod render;
 pub mod scene;
+mod stl;
 mod text;

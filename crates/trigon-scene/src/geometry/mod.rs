@@ -2,10 +2,14 @@
 //!
 //! Shared by all readers; nothing here knows a file format.
 
+mod facets;
 mod normals;
 mod polygon;
 mod unify;
+mod weld;
 
-pub(crate) use normals::{Smoothing, generate_normals};
+pub(crate) use facets::{Extra, Facets};
+pub(crate) use normals::{Smoothing, generate_normals, unit_normal};
 pub(crate) use polygon::{Cut, Triangulator};
 pub(crate) use unify::{ABSENT, Corner, Unifier, gather};
+pub(crate) use weld::Welder;

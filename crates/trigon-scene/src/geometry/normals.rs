@@ -258,6 +258,15 @@ fn index_of_last(normals: &[[f32; 3]]) -> u32 {
     u32::try_from(normals.len() - 1).unwrap_or(u32::MAX)
 }
 
+/// The unit vector of a stored normal; as it is if it is one already, zero if there is none.
+pub(crate) fn unit_normal(normal: [f32; 3]) -> [f32; 3] {
+    let wide = vec3::widen(normal);
+    if (vec3::dot(wide, wide) - 1.0).abs() < 1e-4 {
+        return normal;
+    }
+    vec3::normalized(wide).map_or([0.0; 3], vec3::narrow)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

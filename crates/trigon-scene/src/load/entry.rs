@@ -2,12 +2,12 @@
 
 use super::resolver::read_model;
 use super::{
-    DirectoryResolver, Findings, Format, LoadError, LoadOptions, NoSideFiles, Resolver, SideFiles, UpAxis, Warning,
-    gzip,
+    DirectoryResolver, Findings, Format, LoadError, LoadOptions, NoSideFiles, Place, Resolver, SideFiles, UpAxis,
+    Warning, WarningKind, gzip,
 };
 use crate::math::Mat4;
-use crate::obj;
-use crate::scene::Scene;
+use crate::scene::{Mesh, Scene};
+use crate::{obj, ply, stl};
 use std::path::Path;
 
 /// A loaded model.
@@ -57,8 +57,13 @@ fn load(bytes: &[u8], name: &str, options: &LoadOptions, default: &dyn Resolver)
     let mut findings = Findings::new(options.strict);
     let mut scene = match format {
         Format::Obj => obj::read(&bytes, name, options, &mut side_files, &mut findings)?,
-        Format::Stl | Format::Ply => todo!(),
+        Format::Stl => stl::read(&bytes, name, options, &mut findings)?,
+        Format::Ply => ply::read(&bytes, name, options, &mut side_files, &mut findings)?,
     };
+    let is_empty = |mesh: &Mesh| mesh.triangles.is_empty() && mesh.segments.is_empty() && mesh.points.is_empty();
+    if scene.meshes.iter().all(is_empty) {
+        findings.warn(name, Place::File, WarningKind::Empty, "the file holds nothing to draw")?;
+    }
     scene.textures = side_files.into_textures();
     let is_z_up = match options.up {
         UpAxis::PlusY => false,

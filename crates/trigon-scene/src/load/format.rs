@@ -51,7 +51,8 @@ impl Format {
     }
 }
 
-fn has_binary_stl_length(bytes: &[u8]) -> bool {
+/// Whether the length is the one that a binary STL file of the stored triangle count has.
+pub(crate) fn has_binary_stl_length(bytes: &[u8]) -> bool {
     let count = bytes.get(80..84).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes);
     count.is_some_and(|count| u64::try_from(bytes.len()).ok() == Some(84 + 50 * u64::from(count)))
 }

@@ -17,6 +17,7 @@ pub use options::{Limits, LoadOptions, UpAxis};
 pub use resolver::{DirectoryResolver, MemoryResolver, NoSideFiles, Resolver};
 pub use warnings::{Warning, WarningKind};
 
+pub(crate) use format::has_binary_stl_length;
 pub(crate) use parallel::parallel_map;
 pub(crate) use side_files::SideFiles;
 pub(crate) use warnings::Findings;

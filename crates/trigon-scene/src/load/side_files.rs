@@ -97,7 +97,8 @@ impl<'a> SideFiles<'a> {
 /// The paths to try, best first, without repetition.
 fn candidates(written: &str, from: &str) -> Vec<String> {
     let folder = from.rfind('/').map_or("", |end| &from[..=end]);
-    let slashed = written.replace('\\', "/");
+    // A blank may be escaped as on a command line.
+    let slashed = written.replace("\\ ", " ").replace('\\', "/");
     let last = slashed.rsplit('/').next().unwrap_or_default();
     let relative = |path: &str| if path.starts_with('/') { path.to_owned() } else { format!("{folder}{path}") };
     let without_dot = slashed.trim_start_matches("./");
@@ -120,9 +121,14 @@ mod tests {
     fn awkward_paths_are_found() {
         let resolver = MemoryResolver::new().with("mtl/tex/Wood 1.png", "w").with("crate_1.jpg", "c");
         let files = SideFiles::new(&resolver, &Limits::default());
-        for written in
-            ["tex/Wood 1.png", ".\\tex\\Wood 1.png", "TEX\\wood 1.PNG", "\"tex/Wood 1.png\"", "./tex/Wood 1.png"]
-        {
+        for written in [
+            "tex/Wood 1.png",
+            ".\\tex\\Wood 1.png",
+            "TEX\\wood 1.PNG",
+            "\"tex/Wood 1.png\"",
+            "./tex/Wood 1.png",
+            "tex\\Wood\\ 1.png",
+        ] {
             let found = files.find(written.as_bytes(), "mtl/a.mtl");
             assert_eq!(found.as_deref(), Some("mtl/tex/Wood 1.png"), "{written}");
         }

@@ -76,6 +76,7 @@ fn read_option(option: &[u8], words: &mut Words<'_>, options: &mut TextureOption
         b"-blendv" => options.blend_v = words.switch(),
         b"-cc" => options.color_correction = words.switch(),
         b"-imfchan" => options.channel = words.word().and_then(channel),
+        b"-colorspace" => options.is_linear = words.word().map(|name| name.eq_ignore_ascii_case(b"linear")),
         b"-type" => options.projection = words.word().and_then(projection),
         _ => return false,
     }

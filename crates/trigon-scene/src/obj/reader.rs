@@ -5,9 +5,9 @@ use super::element::MAX_ELEMENTS;
 use super::resolve::{Counts, Primitives, Usage, resolve_block};
 use super::runs::Runs;
 use super::split::{BLOCK_BYTES, split};
-use crate::geometry::{ABSENT, Corner, Smoothing, Unifier, gather, generate_normals};
+use crate::geometry::{ABSENT, Corner, Smoothing, Unifier, gather, generate_normals, unit_normal};
 use crate::load::{Findings, LoadError, LoadOptions, Place, SideFiles, WarningKind, parallel_map};
-use crate::math::{Mat4, vec3};
+use crate::math::Mat4;
 use crate::mtl;
 use crate::scene::{Instance, Material, MaterialId, Mesh, MeshId, Scene};
 use crate::text::{decode_name, to_single_byte_text};
@@ -25,11 +25,10 @@ pub(crate) fn read(
     let threads = options.thread_count();
     let blocks = parallel_map(threads, split(&text, BLOCK_BYTES), |_, text| Block::parse(text));
     let mut attributes = Attributes::collect(&blocks, file, options)?;
-    let blocks = resolve(blocks, &attributes, threads, file, options)?;
+    let mut blocks = resolve(blocks, &attributes, threads, file, options)?;
 
     let lines_before = lines_before(&blocks);
     report(&blocks, &lines_before, file, findings)?;
-    let runs = runs(&blocks, &lines_before);
     let mut library = Library::default();
     for (block, &lines) in blocks.iter().map(|(block, _)| block).zip(&lines_before) {
         for event in block.events.iter().filter(|event| event.kind == EventKind::Library) {
@@ -37,6 +36,8 @@ pub(crate) fn read(
             library.load(event.name, file, line, options, side_files, findings)?;
         }
     }
+    show_bare_points(&mut blocks, attributes.positions.len());
+    let runs = runs(&blocks, &lines_before);
     let (materials, ids) = library.pick(&runs, file, findings)?;
 
     let mut primitives: Vec<Primitives> = blocks.into_iter().map(|(_, primitives)| primitives).collect();
@@ -156,6 +157,20 @@ fn report(
         findings.suppress(block.suppressed_notes + primitives.suppressed_notes);
     }
     Ok(())
+}
+
+/// A file of positions alone is a point cloud: all of them are drawn as points.
+fn show_bare_points(blocks: &mut [(Block<'_>, Primitives)], positions: usize) {
+    let has_elements = |block: &Block<'_>| {
+        block.faces.count > 0 || block.lines.count > 0 || !block.points.is_empty() || !block.notes.is_empty()
+    };
+    if blocks.iter().any(|(block, _)| has_elements(block)) {
+        return;
+    }
+    if let Some((_, last)) = blocks.last_mut() {
+        let positions = 0..u32::try_from(positions).unwrap_or(0);
+        last.points = positions.map(|position| [position, ABSENT, ABSENT]).collect();
+    }
 }
 
 /// Follows the state changes through all blocks.
@@ -353,7 +368,7 @@ fn assemble(
     let color_scale = if colors.iter().flatten().any(|c| *c > 1.0 + 1e-3) { 1.0 / 255.0 } else { 1.0 };
     Mesh {
         positions: gather(threads, &vertices, 0, &positions, [0.0; 3], |p| p),
-        normals: if_some(has_normals, || gather(threads, &vertices, 2, &normals, [0.0; 3], unit)),
+        normals: if_some(has_normals, || gather(threads, &vertices, 2, &normals, [0.0; 3], unit_normal)),
         uvs: if_some(has_uvs, || gather(threads, &vertices, 1, &uvs, [0.0; 2], |uv| uv)),
         colors: if_some(!colors.is_empty(), || {
             gather(threads, &vertices, 0, &colors, [1.0; 4], |c| crate::color::linear_from_srgb(c, color_scale))
@@ -369,13 +384,4 @@ fn assemble(
 
 fn if_some<T>(condition: bool, make: impl FnOnce() -> Vec<T>) -> Vec<T> {
     if condition { make() } else { Vec::new() }
-}
-
-/// The unit vector; as it is if it is one already, zero if there is none.
-fn unit(normal: [f32; 3]) -> [f32; 3] {
-    let wide = vec3::widen(normal);
-    if (vec3::dot(wide, wide) - 1.0).abs() < 1e-4 {
-        return normal;
-    }
-    vec3::normalized(wide).map_or([0.0; 3], vec3::narrow)
 }

@@ -147,7 +147,7 @@ impl Resolver<'_> {
         if cut == Cut::BestEffort && corners.len() > 4 && is_finite(positions, corners) {
             let message =
                 format!("face with {} corners crosses itself or has no area; drawn as well as possible", corners.len());
-            self.note(line, WarningKind::InvalidValue, message);
+            self.note(line, WarningKind::Approximated, message);
         }
         for triangle in triangles {
             self.out.triangles.extend(triangle.map(|i| corners[i]));

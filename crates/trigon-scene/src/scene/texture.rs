@@ -78,6 +78,8 @@ pub struct TextureOptions {
     pub resolution: Option<f32>,
     /// `-cc on`: colour correction; kept, not drawn.
     pub color_correction: bool,
+    /// `-colorspace linear|sRGB`, an extension: whether the texels are linear; `None` leaves it to the map's default.
+    pub is_linear: Option<bool>,
     /// `-type`: for reflection maps, how directions map to the picture.
     pub projection: Option<MapProjection>,
 }
@@ -98,6 +100,7 @@ impl Default for TextureOptions {
             boost: 0.0,
             resolution: None,
             color_correction: false,
+            is_linear: None,
             projection: None,
         }
     }

@@ -149,6 +149,13 @@ impl<'a> Cursor<'a> {
         self.bytes.get(start..self.at).unwrap_or_default()
     }
 
+    /// The word that was read last: up to here from the blank before it.
+    pub(crate) fn last_word(&self) -> &'a [u8] {
+        let read = self.bytes.get(..self.at).unwrap_or_default();
+        let start = read.iter().rposition(u8::is_ascii_whitespace).map_or(0, |blank| blank + 1);
+        &read[start..]
+    }
+
     #[inline(always)]
     fn is_token_end(&self) -> bool {
         match self.peek() {

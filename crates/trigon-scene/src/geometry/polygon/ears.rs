@@ -61,7 +61,8 @@ impl EarClipper {
         cut
     }
 
-    /// The first corner from `start` on that can be cut off: an ear, or else one in a straight line.
+    /// The first corner from `start` on that can be cut off: an ear, or else one in a straight line. `None` if there is
+    /// none, or none that can be found within the budget.
     fn find_ear(&mut self, points: &[Point], start: usize, left: usize) -> Option<usize> {
         let mut straight = None;
         let mut at = start;
@@ -71,6 +72,7 @@ impl EarClipper {
             if left == 3 && area >= 0.0 {
                 return Some(at);
             }
+            self.tests_left = self.tests_left.checked_sub(1)?;
             if area > 0.0 && !self.holds_corner(points, triangle) {
                 return Some(at);
             }
@@ -100,12 +102,7 @@ impl EarClipper {
                 && orientation(b, c, p) >= 0.0
                 && orientation(c, a, p) >= 0.0
         });
-        if tests > self.tests_left {
-            // Out of budget: nothing is an ear any more, and the rest is cut without tests.
-            self.tests_left = 0;
-            return true;
-        }
-        self.tests_left -= tests;
+        self.tests_left = self.tests_left.saturating_sub(tests);
         holds
     }
 }

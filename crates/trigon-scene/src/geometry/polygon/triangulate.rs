@@ -63,7 +63,30 @@ impl Triangulator {
             triangles.extend(fan);
             return Cut::Exact;
         }
+        let start = triangles.len();
+        let cut = self.clipper.clip(&self.points, triangles);
+        if cut == Cut::Exact {
+            return cut;
+        }
+        // A warped polygon may overlap itself seen along an axis, but not along its normal.
+        let along_x = vec3::normalized(vec3::cross(least_axis(normal), normal)).unwrap_or([1.0, 0.0, 0.0]);
+        let along_y = vec3::cross(normal, along_x);
+        for (i, point) in self.points.iter_mut().enumerate() {
+            let p = vec3::sub(corner(i), origin);
+            *point = [vec3::dot(p, along_x), vec3::dot(p, along_y)];
+        }
+        triangles.truncate(start);
         self.clipper.clip(&self.points, triangles)
+    }
+}
+
+/// The coordinate axis that the normal points along least.
+fn least_axis(normal: Vec3) -> Vec3 {
+    let size = normal.map(f64::abs);
+    match size {
+        [x, y, z] if x <= y && x <= z => [1.0, 0.0, 0.0],
+        [_, y, z] if y <= z => [0.0, 1.0, 0.0],
+        _ => [0.0, 0.0, 1.0],
     }
 }
 

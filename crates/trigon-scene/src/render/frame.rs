@@ -1,0 +1,72 @@
+//! What all shaders of a frame share: the camera and the light.
+
+use super::lights::Lighting;
+use crate::math::{Mat4, vec3};
+use crate::scene::{Camera, Projection, Scene};
+
+/// Camera and light.
+pub(super) struct FrameUniforms {
+    pub(super) clip_from_world: Mat4,
+    /// The eye and 1, or the unit vector towards an infinitely distant eye and 0.
+    pub(super) eye: [f32; 4],
+    pub(super) lighting: Lighting,
+    /// Clip z gained by moving towards the eye: multiplied by the share of the way.
+    pub(super) clip_z_towards_eye: f32,
+    /// Size of a pixel over its distance (perspective), or over the depth range (orthographic).
+    pub(super) pixel_slope: f32,
+    /// `dot(axis, position) + offset` is 0 at the near end of what is shown and 1 at the far end.
+    pub(super) depth_axis: [f32; 4],
+}
+
+impl FrameUniforms {
+    #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
+    pub(super) fn new(scene: &Scene, camera: &Camera, size: [u32; 2], shows_depth: bool) -> Self {
+        let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
+        let clip_from_world = camera.clip_from_world(aspect);
+        let forward = camera.forward();
+        let rows = f64::from(size[1].max(1));
+        let [x, y, z] = vec3::narrow(camera.eye);
+        let (eye, towards_eye, pixel_slope) = match camera.projection {
+            Projection::Perspective { fov_y } => {
+                // Clip space is homogeneous: the eye is (0, 0, z, 0), and moving towards it adds a part of that.
+                let z_of_eye = f64::from(camera.clip_from_view(aspect).columns[3][2]);
+                ([x, y, z, 1.0], z_of_eye, 2.0 * libm::tan(fov_y * 0.5) / rows)
+            }
+            Projection::Orthographic { height } => {
+                let [x, y, z] = vec3::narrow(vec3::scale(forward, -1.0));
+                let range = (camera.far - camera.near).max(f64::MIN_POSITIVE);
+                ([x, y, z, 0.0], 1.0, height / rows / range)
+            }
+        };
+        Self {
+            clip_from_world,
+            eye,
+            lighting: Lighting::new(&scene.lights, camera),
+            clip_z_towards_eye: towards_eye as f32,
+            pixel_slope: pixel_slope as f32,
+            depth_axis: if shows_depth { depth_axis(scene, camera) } else { [0.0; 4] },
+        }
+    }
+}
+
+/// Maps world positions to 0 at the nearest and 1 at the farthest visible vertex.
+fn depth_axis(scene: &Scene, camera: &Camera) -> [f32; 4] {
+    let forward = camera.forward();
+    let (mut near, mut far) = (f64::INFINITY, f64::NEG_INFINITY);
+    for instance in &scene.instances {
+        let Some(mesh) = scene.mesh(instance.mesh) else { continue };
+        for (position, _) in mesh.positions.iter().zip(mesh.used_vertices()).filter(|(_, is_used)| *is_used) {
+            let [x, y, z, _] = instance.world_from_model.transform_point(vec3::widen(*position));
+            let depth = vec3::dot(forward, vec3::sub([x, y, z], camera.eye));
+            // Comparisons that NaN fails.
+            near = if depth < near { depth } else { near };
+            far = if depth > far { depth } else { far };
+        }
+    }
+    let (near, far) = (near.max(camera.near), far.min(camera.far));
+    let scale = if far > near { 1.0 / (far - near) } else { 0.0 };
+    let [x, y, z] = vec3::narrow(vec3::scale(forward, scale));
+    #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
+    let offset = (-(vec3::dot(forward, camera.eye) + near) * scale) as f32;
+    [x, y, z, if offset.is_finite() { offset } else { 0.0 }]
+}

@@ -1,0 +1,265 @@
+//! Materials as shaders read them: factors in linear light, and the maps that a frame needs.
+//!
+//! In: a [`Material`], what the frame shows, the uploaded textures. Out: a [`Surface`].
+//!
+//! `Kd`, `Ka`, `Ks` and `Ke` are taken as display values and decoded from sRGB: the MTL specification names no colour
+//! space, but its values were chosen on screens of programs that drew them unchanged, and nearly all programs still
+//! show them so. Above 1 (emission) a value is taken as it is.
+
+use super::settings::{AlphaMode, RenderSettings};
+use super::shader_kind::ShaderKind;
+use super::texture_cache::TextureCache;
+use super::texture_upload::{Opacity, ScalarSource, Usage};
+use crate::scene::{Illumination, Material, TextureId, TextureRef};
+use trigon::shade::texture::{PixelFilter, Sampler, Texture, Wrap};
+use trigon_image::color::srgb_decode;
+
+/// A material, ready for a shader.
+pub(super) struct Surface<'a> {
+    pub(super) ambient: [f32; 3],
+    pub(super) diffuse: [f32; 3],
+    pub(super) specular: [f32; 3],
+    pub(super) emissive: [f32; 3],
+    pub(super) exponent: f32,
+    pub(super) opacity: f32,
+    pub(super) is_halo: bool,
+    pub(super) illumination: Illumination,
+    pub(super) coverage: Coverage,
+    /// Maps that multiply factors.
+    pub(super) maps: Vec<MapUse<'a>>,
+    /// Those of them that hold opacity.
+    pub(super) opacity_maps: Vec<MapUse<'a>>,
+    pub(super) normal: Option<MapUse<'a>>,
+    pub(super) bump: Option<MapUse<'a>>,
+}
+
+/// How much of what lies behind a surface shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Coverage {
+    /// Nothing.
+    Opaque,
+    /// All or nothing, fragment by fragment: opaque where opacity is at least one half.
+    CutOut,
+    /// As much as opacity lets through.
+    Blend,
+}
+
+/// What a map multiplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Slot {
+    Diffuse,
+    Ambient,
+    Specular,
+    Emissive,
+    Exponent,
+    Opacity,
+    /// Not a factor: tilts the normal.
+    Normal,
+    /// Not a factor: tilts the normal.
+    Bump,
+}
+
+impl Slot {
+    /// The number of those that are factors; they come first.
+    pub(super) const FACTORS: usize = 6;
+}
+
+/// One texture read.
+#[derive(Clone, Copy)]
+pub(super) struct MapUse<'a> {
+    pub(super) slot: Slot,
+    pub(super) texture: &'a Texture,
+    pub(super) sampler: Sampler,
+    /// `uv * scale + offset`.
+    pub(super) scale: [f32; 2],
+    pub(super) offset: [f32; 2],
+    /// `texel * gain + base`.
+    pub(super) gain: f32,
+    pub(super) base: f32,
+    /// One number instead of a colour.
+    pub(super) is_scalar: bool,
+    /// Without effect outside of 0..=1.
+    pub(super) is_clamped: bool,
+    /// For bump maps.
+    pub(super) strength: f32,
+}
+
+/// A texture that a material needs in a frame.
+pub(super) struct Request<'a> {
+    pub(super) slot: Slot,
+    pub(super) map: &'a TextureRef,
+    pub(super) usage: Usage,
+    /// 1 - value.
+    pub(super) is_inverted: bool,
+}
+
+/// What a frame needs of its materials.
+#[derive(Clone, Copy)]
+pub(super) struct Needs {
+    shader: ShaderKind,
+    alpha: AlphaMode,
+    has_ambient_light: bool,
+    normals: bool,
+}
+
+impl Needs {
+    pub(super) fn new(settings: &RenderSettings, has_ambient_light: bool) -> Self {
+        let normals = settings.outputs.normal || matches!(settings.shader, ShaderKind::BlinnPhong | ShaderKind::Normal);
+        Self { shader: settings.shader, alpha: settings.alpha, has_ambient_light, normals }
+    }
+
+    fn is_lit(&self) -> bool {
+        matches!(self.shader, ShaderKind::BlinnPhong | ShaderKind::Flat)
+    }
+
+    /// The lighting model that is drawn.
+    fn illumination(&self, material: &Material) -> Illumination {
+        if self.is_lit() { material.illumination } else { Illumination::Color }
+    }
+
+    /// The textures that `material` needs.
+    pub(super) fn requests<'m>(&self, material: &'m Material) -> Vec<Request<'m>> {
+        let maps = &material.maps;
+        let illumination = self.illumination(material);
+        let is_lit = illumination != Illumination::Color;
+        let shines = illumination == Illumination::Specular && material.specular != [0.0; 3];
+        let has_alpha = self.alpha != AlphaMode::Opaque;
+        let color = if has_alpha { Usage::Color } else { Usage::OpaqueColor };
+        let scalar = |map: &'m Option<TextureRef>, default| {
+            map.as_ref().map(|map| (map, Usage::Scalar(ScalarSource::new(map.options.channel, default))))
+        };
+        let opaque = |map: &'m Option<TextureRef>| map.as_ref().map(|map| (map, Usage::OpaqueColor));
+        let mut requests = Vec::new();
+        let mut add = |slot, needed: bool, map: Option<(&'m TextureRef, Usage)>| {
+            if let Some((map, usage)) = map.filter(|_| needed) {
+                requests.push(Request { slot, map, usage, is_inverted: false });
+            }
+        };
+        let shows_diffuse = self.shader.shows_materials() || self.shader == ShaderKind::MipLevel;
+        add(Slot::Diffuse, shows_diffuse || has_alpha, maps.diffuse.as_ref().map(|map| (map, color)));
+        add(Slot::Ambient, is_lit && self.has_ambient_light && material.ambient != [0.0; 3], opaque(&maps.ambient));
+        add(Slot::Specular, shines, opaque(&maps.specular));
+        add(Slot::Exponent, shines, scalar(&maps.specular_exponent, ScalarSource::Luminance));
+        let glows = self.is_lit() && material.emissive != [0.0; 3];
+        add(Slot::Emissive, glows, opaque(&maps.emissive));
+        add(Slot::Opacity, has_alpha, scalar(&maps.opacity, ScalarSource::AlphaOrLuminance));
+        add(Slot::Normal, self.normals, maps.normal.as_ref().map(|map| (map, Usage::Vector)));
+        let bumps = self.normals && maps.normal.is_none();
+        add(Slot::Bump, bumps, scalar(&maps.bump, ScalarSource::Luminance));
+        if let Some((map, usage)) = scalar(&maps.transparency, ScalarSource::Luminance).filter(|_| has_alpha) {
+            requests.push(Request { slot: Slot::Opacity, map, usage, is_inverted: true });
+        }
+        requests
+    }
+}
+
+/// The textures that the materials of a scene need.
+pub(super) fn wanted(materials: &[Material], needs: &Needs) -> Vec<(TextureId, Usage)> {
+    materials.iter().flat_map(|m| needs.requests(m)).map(|r| (r.map.texture, r.usage)).collect()
+}
+
+impl<'a> Surface<'a> {
+    /// `material` with the uploaded `textures`. `has_uv`: without coordinates no map is read. `has_alpha`: of vertices.
+    pub(super) fn new(
+        material: &Material,
+        needs: &Needs,
+        settings: &RenderSettings,
+        textures: &'a TextureCache,
+        has_uv: bool,
+        has_alpha: bool,
+    ) -> Self {
+        let illumination = needs.illumination(material);
+        let glows = needs.is_lit();
+        let shines = illumination == Illumination::Specular;
+        let mut surface = Self {
+            ambient: linear(material.ambient),
+            diffuse: linear(material.diffuse),
+            specular: if shines { linear(material.specular) } else { [0.0; 3] },
+            emissive: if glows { linear(material.emissive) } else { [0.0; 3] },
+            exponent: material.specular_exponent,
+            opacity: material.opacity,
+            is_halo: material.is_halo,
+            illumination,
+            coverage: Coverage::Opaque,
+            maps: Vec::new(),
+            opacity_maps: Vec::new(),
+            normal: None,
+            bump: None,
+        };
+        let mut opacity = Opacity::Opaque;
+        for request in needs.requests(material).iter().filter(|_| has_uv) {
+            let Some(texture) = textures.get(request.map.texture, request.usage) else { continue };
+            let its_opacity = textures.opacity(request.map.texture, request.usage);
+            surface.add(request, MapUse::new(request, texture, settings), its_opacity);
+            if matches!(request.slot, Slot::Diffuse | Slot::Opacity) {
+                opacity = opacity.max(its_opacity);
+            }
+        }
+        let is_solid = material.opacity >= 0.999 && !has_alpha;
+        surface.coverage = coverage(settings.alpha, is_solid, opacity);
+        surface
+    }
+
+    fn add(&mut self, request: &Request<'_>, map: MapUse<'a>, opacity: Opacity) {
+        match request.slot {
+            Slot::Normal => self.normal = Some(map),
+            Slot::Bump => self.bump = Some(map),
+            _ => {
+                let holds_opacity = opacity != Opacity::Opaque || map.gain != 1.0 || map.base != 0.0;
+                if request.slot == Slot::Opacity || (request.slot == Slot::Diffuse && holds_opacity) {
+                    self.opacity_maps.push(map);
+                }
+                self.maps.push(map);
+            }
+        }
+    }
+}
+
+fn coverage(mode: AlphaMode, is_solid: bool, maps: Opacity) -> Coverage {
+    match mode {
+        AlphaMode::Opaque => Coverage::Opaque,
+        _ if is_solid && maps == Opacity::Opaque => Coverage::Opaque,
+        AlphaMode::CutOut => Coverage::CutOut,
+        AlphaMode::Auto if is_solid && maps == Opacity::Binary => Coverage::CutOut,
+        AlphaMode::Auto | AlphaMode::Blend => Coverage::Blend,
+    }
+}
+
+impl<'a> MapUse<'a> {
+    fn new(request: &Request<'_>, texture: &'a Texture, settings: &RenderSettings) -> Self {
+        let options = &request.map.options;
+        let (scale, offset) = options.uv_transform();
+        let sampling = settings.sampling;
+        let is_smooth = options.blend_u || options.blend_v;
+        let wrap = if options.clamp { Wrap::ClampToEdge } else { sampling.wrap.unwrap_or(Wrap::Repeat) };
+        let sampler = Sampler {
+            pixel: if is_smooth { sampling.pixel } else { PixelFilter::Nearest },
+            level: sampling.level,
+            max_anisotropy: sampling.max_anisotropy,
+            wrap_u: wrap,
+            wrap_v: wrap,
+            lod_bias: sampling.lod_bias,
+            ..Sampler::TRILINEAR
+        };
+        let (gain, base) =
+            if request.is_inverted { (-options.gain, 1.0 - options.base) } else { (options.gain, options.base) };
+        Self {
+            slot: request.slot,
+            texture,
+            sampler,
+            scale,
+            offset,
+            gain,
+            base,
+            is_scalar: matches!(request.usage, Usage::Scalar(_)),
+            is_clamped: options.clamp,
+            strength: options.bump_multiplier,
+        }
+    }
+}
+
+/// Display values to linear light.
+#[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
+fn linear(color: [f32; 3]) -> [f32; 3] {
+    color.map(|c| if c > 0.0 && c < 1.0 { srgb_decode(f64::from(c)) as f32 } else { c.max(0.0) })
+}

@@ -1,0 +1,24 @@
+//! Drawing scenes: a [`Scene`](crate::scene::Scene) and a camera in, a picture out.
+//!
+//! [`SceneRenderer`] keeps what is made from a scene once (textures with their mip chains, edges for wireframes);
+//! each frame then only prepares lights, materials and draws. Meshes are drawn from where they are, without a copy.
+
+mod draws;
+mod edges;
+mod error;
+mod frame;
+mod lights;
+mod material;
+mod overdraw;
+mod scene_renderer;
+mod settings;
+mod shader_kind;
+mod shaders;
+mod sorting;
+mod texture_cache;
+mod texture_upload;
+
+pub use error::RenderError;
+pub use scene_renderer::SceneRenderer;
+pub use settings::{AlphaMode, RenderSettings, TextureSampling, Wireframe};
+pub use shader_kind::{ShaderKind, UnknownShader};

@@ -1,0 +1,201 @@
+//! The renderer of scenes: what lives from frame to frame, and the steps of one.
+//!
+//! In: a scene, a camera, settings. Out: a picture, counts, warnings. Textures and facts about meshes are made when a
+//! frame first needs them; uniforms, surfaces and draws are made anew for each frame.
+
+use super::draws::{self, Item, Piece};
+use super::edges::unique_edges;
+use super::error::RenderError;
+use super::frame::FrameUniforms;
+use super::material::{Needs, Surface, wanted};
+use super::overdraw::color_counts;
+use super::settings::RenderSettings;
+use super::shader_kind::ShaderKind;
+use super::texture_cache::TextureCache;
+use crate::load::Warning;
+use crate::scene::{Camera, Instance, LightKind, Material, Mesh, Scene};
+use trigon::pipeline::{Draw, Frame, FrameStatistics, Outputs, Picture, Renderer};
+
+/// Draws scenes; keeps textures and edges between frames.
+///
+/// One renderer belongs to one scene. Lights, materials, instances and vertex attributes may change from frame to
+/// frame; after a change of triangles or vertex colours call [`SceneRenderer::clear`].
+#[derive(Default)]
+pub struct SceneRenderer {
+    textures: TextureCache,
+    facts: Vec<MeshFacts>,
+    neutral: Material,
+}
+
+/// What is known of a mesh beyond its data.
+#[derive(Default)]
+pub(super) struct MeshFacts {
+    has_translucent_colors: bool,
+    /// Some vertex that a point is drawn at has a normal.
+    pub(super) has_point_normals: bool,
+    /// Made for wireframes only.
+    pub(super) edges: Vec<[u32; 2]>,
+    has_edges: bool,
+}
+
+impl SceneRenderer {
+    /// A renderer that has seen no scene.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Forgets everything that was made from scenes.
+    pub fn clear(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Makes what a frame with these settings will need: decodes textures, finds edges. [`SceneRenderer::render`] does
+    /// so too; a call before it serves to time the two apart or to stop at warnings.
+    ///
+    /// Returns the textures that cannot be used, each once; they are drawn as if they were not there.
+    pub fn prepare(&mut self, scene: &Scene, settings: &RenderSettings) -> Vec<Warning> {
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let needs = needs(scene, settings);
+        let warnings = self.textures.ensure(scene, &wanted(&scene.materials, &needs), threads);
+        self.facts.truncate(scene.meshes.len());
+        for (i, mesh) in scene.meshes.iter().enumerate() {
+            if i >= self.facts.len() {
+                self.facts.push(MeshFacts::new(mesh));
+            }
+            if settings.wireframe.is_some() && !self.facts[i].has_edges {
+                self.facts[i].edges = unique_edges(mesh);
+                self.facts[i].has_edges = true;
+            }
+        }
+        warnings
+    }
+
+    /// Draws `scene` as `camera` sees it into `picture`.
+    ///
+    /// # Errors
+    ///
+    /// A picture size outside 1..=16 384, or more primitives than 32-bit numbers can name.
+    pub fn render(
+        &mut self,
+        renderer: &mut Renderer,
+        scene: &Scene,
+        camera: &Camera,
+        settings: &RenderSettings,
+        picture: &mut Picture,
+    ) -> Result<(FrameStatistics, Vec<Warning>), RenderError> {
+        let warnings = self.prepare(scene, settings);
+        let size = [settings.width, settings.height];
+        let uniforms = FrameUniforms::new(scene, camera, size, settings.shader == ShaderKind::Depth);
+        let pieces = self.pieces(scene, settings);
+        let blended = draws::sort_blended(&pieces, settings, &uniforms);
+        let items = draws::list(&pieces, &blended, settings, &uniforms);
+        let draws: Vec<Draw<'_>> = (0u32..).zip(&items).map(|(number, item)| draw(item, number)).collect();
+        let statistics = renderer.render(&frame(settings), &draws, picture)?;
+        finish(picture, settings, &items);
+        Ok((statistics, warnings))
+    }
+
+    fn pieces<'a>(&'a self, scene: &'a Scene, settings: &RenderSettings) -> Vec<Piece<'a>> {
+        let needs = needs(scene, settings);
+        let mut pieces = Vec::new();
+        let mut first_object = 0;
+        for instance in &scene.instances {
+            let index = usize::try_from(instance.mesh.0).unwrap_or(usize::MAX);
+            let (Some(mesh), Some(facts)) = (scene.meshes.get(index), self.facts.get(index)) else { continue };
+            for submesh in &mesh.submeshes {
+                let material = scene.material(submesh.material).unwrap_or(&self.neutral);
+                let (has_uv, has_alpha) = (!mesh.uvs.is_empty(), facts.has_translucent_colors);
+                let surface = Surface::new(material, &needs, settings, &self.textures, has_uv, has_alpha);
+                pieces.push(Piece { instance, mesh, facts, submesh, object: first_object + submesh.part, surface });
+            }
+            first_object += u32::try_from(mesh.parts.len().max(1)).unwrap_or(1);
+        }
+        pieces
+    }
+}
+
+impl MeshFacts {
+    fn new(mesh: &Mesh) -> Self {
+        let normal = |point: &u32| usize::try_from(*point).ok().and_then(|i| mesh.normals.get(i));
+        Self {
+            has_translucent_colors: mesh.colors.iter().any(|color| color[3] < 1.0),
+            has_point_normals: mesh.points.iter().any(|point| normal(point).is_some_and(|n| *n != [0.0; 3])),
+            edges: Vec::new(),
+            has_edges: false,
+        }
+    }
+
+    /// Whether the instance turns the winding around.
+    #[expect(clippy::unused_self, reason = "asked of a piece's facts")]
+    pub(super) fn is_mirrored(&self, instance: &Instance) -> bool {
+        instance.world_from_model.linear_determinant() < 0.0
+    }
+}
+
+fn needs(scene: &Scene, settings: &RenderSettings) -> Needs {
+    let has_ambient_light = scene.lights.iter().any(|light| light.kind == LightKind::Ambient);
+    Needs::new(settings, has_ambient_light)
+}
+
+fn draw<'a>(item: &'a Item<'_>, number: u32) -> Draw<'a> {
+    Draw {
+        shader: item.shader.as_ref(),
+        primitives: item.primitives,
+        cull: item.cull,
+        depth: item.depth,
+        blend: item.blend,
+        object: number,
+    }
+}
+
+/// The core's frame: the outputs asked for, and those that the last steps need.
+fn frame(settings: &RenderSettings) -> Frame {
+    let wanted = settings.outputs;
+    let is_overdraw = settings.shader == ShaderKind::Overdraw;
+    let any_color = wanted.color || wanted.color_f32;
+    Frame {
+        width: settings.width,
+        height: settings.height,
+        samples: settings.samples,
+        shading: settings.shading,
+        clear: match settings.shader {
+            ShaderKind::Overdraw => [0.0; 4],
+            ShaderKind::Coverage => [0.0, 0.0, 0.0, 1.0],
+            _ => settings.background,
+        },
+        outputs: Outputs {
+            color_f32: wanted.color_f32 || (is_overdraw && any_color),
+            object: wanted.object || wanted.primitive,
+            ..wanted
+        },
+    }
+}
+
+/// Last steps: counts to colours, draw numbers to object and primitive numbers.
+fn finish(picture: &mut Picture, settings: &RenderSettings, items: &[Item<'_>]) {
+    let wanted = settings.outputs;
+    if settings.shader == ShaderKind::Overdraw {
+        color_counts(picture);
+        if !wanted.color_f32 {
+            picture.color_f32 = None;
+        }
+    }
+    let Some(objects) = &mut picture.object else { return };
+    let item = |number: u32| usize::try_from(number).ok().and_then(|i| items.get(i));
+    if let Some(primitives) = &mut picture.primitive {
+        for (primitive, object) in primitives.values_mut().iter_mut().zip(objects.values()) {
+            if let Some(item) = item(*object) {
+                *primitive = primitive.wrapping_add(item.first_primitive);
+            }
+        }
+    }
+    for object in objects.values_mut() {
+        if let Some(item) = item(*object) {
+            *object = item.object;
+        }
+    }
+    if !wanted.object {
+        picture.object = None;
+    }
+}

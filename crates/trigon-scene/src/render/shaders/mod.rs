@@ -1,0 +1,17 @@
+//! The shaders of scenes: Rust types, generic over the lanes.
+//!
+//! `vertex` fetches and places vertices, `normal` finds the shading normal with its maps, `maps` reads factor maps,
+//! `lighting` sums up light; `blinn_phong`, `overlay` and `stroke` are the shaders made of them.
+
+mod blinn_phong;
+mod lighting;
+mod maps;
+mod normal;
+mod overlay;
+mod stroke;
+mod vertex;
+
+pub(super) use blinn_phong::BlinnPhong;
+pub(super) use overlay::Overlay;
+pub(super) use stroke::Stroke;
+pub(super) use vertex::{Full, MeshView, Plain};

@@ -1,0 +1,220 @@
+//! From a decoded picture to a sampler's texture, for one use of it.
+//!
+//! In: a picture and what a material map reads from it. Out: a [`Texture`](trigon::shade::texture::Texture) with its mip
+//! chain, and how its opacity is distributed. Colours are sRGB-encoded; normals and scalars are numbers as stored, and
+//! keep the precision of 16-bit and float files.
+
+use crate::scene::Channel;
+use trigon::shade::texture::{Alpha, MipChain, TexelFormat, Texture, TextureDesc, TextureError};
+use trigon_image::DecodedImage;
+
+/// What a material map reads from a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Usage {
+    /// A colour and its opacity.
+    Color,
+    /// A colour; the fourth channel is ignored.
+    OpaqueColor,
+    /// Three numbers: a normal.
+    Vector,
+    /// One number.
+    Scalar(ScalarSource),
+}
+
+/// Where a scalar map takes its number from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum ScalarSource {
+    /// One channel.
+    Red,
+    Green,
+    Blue,
+    Alpha,
+    /// The weighted sum of the channels as stored (Rec. 709 weights).
+    Luminance,
+    /// Alpha if the picture has any, else luminance: what people mean by an opacity map.
+    AlphaOrLuminance,
+}
+
+impl ScalarSource {
+    /// The channel of `-imfchan`, or else `default`.
+    pub(super) fn new(channel: Option<Channel>, default: Self) -> Self {
+        match channel {
+            None => default,
+            Some(Channel::Red | Channel::Depth) => Self::Red,
+            Some(Channel::Green) => Self::Green,
+            Some(Channel::Blue) => Self::Blue,
+            Some(Channel::Matte) => Self::Alpha,
+            Some(Channel::Luminance) => Self::Luminance,
+        }
+    }
+}
+
+/// Which opacities a picture holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Opacity {
+    /// Only 1.
+    Opaque,
+    /// 0 and 1, with few values between at the edges.
+    Binary,
+    /// Values between, too.
+    Partial,
+}
+
+impl Opacity {
+    /// Values between 0 and 1 are those of edges, not of translucent areas, up to this share: one in eight.
+    const EDGE_SHARE: usize = 8;
+
+    fn of(values: impl Iterator<Item = u8>) -> Self {
+        let (mut count, mut below_one, mut between) = (0usize, 0usize, 0usize);
+        for value in values {
+            count += 1;
+            below_one += usize::from(value != u8::MAX);
+            between += usize::from((16..240).contains(&value));
+        }
+        if below_one == 0 {
+            Self::Opaque
+        } else if between <= count / Self::EDGE_SHARE {
+            Self::Binary
+        } else {
+            Self::Partial
+        }
+    }
+}
+
+/// A texture, and the opacities that it holds: those of its alpha channel, or of its numbers.
+pub(super) struct Uploaded {
+    pub(super) texture: Texture,
+    pub(super) opacity: Opacity,
+}
+
+/// Makes the texture for one use of `image`.
+pub(super) fn upload(image: &DecodedImage, usage: Usage) -> Result<Uploaded, TextureError> {
+    let size = [image.width(), image.height()];
+    match usage {
+        Usage::Color | Usage::OpaqueColor => color(image, size, usage == Usage::Color),
+        Usage::Vector => vector(image, size),
+        Usage::Scalar(source) => scalar(image, size, source),
+    }
+}
+
+fn color(image: &DecodedImage, size: [u32; 2], has_alpha: bool) -> Result<Uploaded, TextureError> {
+    if let DecodedImage::RgbaF32(linear) = image {
+        // Premultiplied already, so the channels are filtered as they are.
+        let desc = TextureDesc { alpha: Alpha::Independent, ..TextureDesc::new(size, TexelFormat::Rgba32Float) };
+        let mut pixels = linear.pixels().to_vec();
+        let opacity = if has_alpha { Opacity::of(pixels.iter().map(|p| unit_to_byte(p[3]))) } else { Opacity::Opaque };
+        if !has_alpha {
+            pixels.iter_mut().for_each(|p| p[3] = 1.0);
+        }
+        return Ok(Uploaded { texture: Texture::from_floats(&desc, pixels.as_flattened())?, opacity });
+    }
+    let bytes = image.clone().into_rgba8();
+    let desc = TextureDesc::new(size, TexelFormat::Rgba8Srgb);
+    if has_alpha {
+        let opacity = Opacity::of(bytes.pixels().iter().map(|p| p[3]));
+        return Ok(Uploaded { texture: Texture::from_bytes(&desc, bytes.as_bytes())?, opacity });
+    }
+    let mut pixels = bytes.into_pixels();
+    pixels.iter_mut().for_each(|p| p[3] = u8::MAX);
+    Ok(Uploaded { texture: Texture::from_bytes(&desc, pixels.as_flattened())?, opacity: Opacity::Opaque })
+}
+
+fn vector(image: &DecodedImage, size: [u32; 2]) -> Result<Uploaded, TextureError> {
+    let texture = match image {
+        DecodedImage::Rgba8(image) => {
+            Texture::from_bytes(&TextureDesc::new(size, TexelFormat::Rgba8), image.as_bytes())?
+        }
+        DecodedImage::Rgba16(image) => {
+            let values: Vec<f32> = image.pixels().as_flattened().iter().map(|v| word_to_unit(*v)).collect();
+            Texture::from_floats(&TextureDesc::new(size, TexelFormat::Rgba32Float), &values)?
+        }
+        DecodedImage::RgbaF32(image) => Texture::from_floats(
+            &TextureDesc::new(size, TexelFormat::Rgba32Float),
+            image.pixels().as_flattened(),
+        )?,
+        _ => {
+            let image = image.clone().into_rgba8();
+            Texture::from_bytes(&TextureDesc::new(size, TexelFormat::Rgba8), image.as_bytes())?
+        }
+    };
+    Ok(Uploaded { texture, opacity: Opacity::Opaque })
+}
+
+fn scalar(image: &DecodedImage, size: [u32; 2], source: ScalarSource) -> Result<Uploaded, TextureError> {
+    let source = match source {
+        ScalarSource::AlphaOrLuminance if image.is_opaque() => ScalarSource::Luminance,
+        ScalarSource::AlphaOrLuminance => ScalarSource::Alpha,
+        source => source,
+    };
+    let desc = |format| TextureDesc { size, format, alpha: Alpha::Independent, mips: MipChain::Box };
+    let floats = |values: Vec<f32>| {
+        let opacity = Opacity::of(values.iter().map(|v| unit_to_byte(*v)));
+        let texture = Texture::from_floats(&desc(TexelFormat::R32Float), &values)?;
+        Ok(Uploaded { texture, opacity })
+    };
+    match image {
+        DecodedImage::Rgba16(image) => {
+            floats(image.pixels().iter().map(|p| pick(p.map(word_to_unit), source)).collect())
+        }
+        DecodedImage::RgbaF32(image) => floats(image.pixels().iter().map(|p| pick(*p, source)).collect()),
+        image => {
+            let image = image.clone().into_rgba8();
+            let bytes: Vec<u8> =
+                image.pixels().iter().map(|p| unit_to_byte(pick(p.map(|v| f32::from(v) / 255.0), source))).collect();
+            let opacity = Opacity::of(bytes.iter().copied());
+            Ok(Uploaded { texture: Texture::from_bytes(&desc(TexelFormat::R8), &bytes)?, opacity })
+        }
+    }
+}
+
+fn pick([r, g, b, a]: [f32; 4], source: ScalarSource) -> f32 {
+    match source {
+        ScalarSource::Red => r,
+        ScalarSource::Green => g,
+        ScalarSource::Blue => b,
+        ScalarSource::Alpha => a,
+        ScalarSource::Luminance | ScalarSource::AlphaOrLuminance => (0.2126 * r + 0.7152 * g) + 0.0722 * b,
+    }
+}
+
+fn word_to_unit(value: u16) -> f32 {
+    f32::from(value) / 65535.0
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped into range")]
+fn unit_to_byte(value: f32) -> u8 {
+    (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use trigon_image::Rgba8Image;
+
+    #[test]
+    fn opacity_of_leaves_glass_and_walls() {
+        let of = |values: &[u8]| Opacity::of(values.iter().copied());
+        assert_eq!(of(&[255; 64]), Opacity::Opaque);
+        let mut leaf = [255; 64];
+        leaf[..20].fill(0);
+        leaf[20..24].fill(128);
+        assert_eq!(of(&leaf), Opacity::Binary);
+        assert_eq!(of(&[128; 64]), Opacity::Partial);
+    }
+
+    #[test]
+    fn scalars_read_the_channel_that_is_asked_for() {
+        let image = DecodedImage::Rgba8(Rgba8Image::filled(2, 1, [10, 20, 30, 40]));
+        let value = |source| upload(&image, Usage::Scalar(source)).unwrap().texture.texel(0, 0, 0).unwrap()[0] * 255.0;
+        for (source, want) in [
+            (ScalarSource::Red, 10.0),
+            (ScalarSource::Green, 20.0),
+            (ScalarSource::Blue, 30.0),
+            (ScalarSource::Alpha, 40.0),
+            (ScalarSource::AlphaOrLuminance, 40.0),
+            (ScalarSource::Luminance, 19.0),
+        ] {
+            assert!((value(source) - want).abs() < 1e-3, "{source:?} gives {}", value(source));
+        }
+    }
+}
