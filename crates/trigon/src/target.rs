@@ -181,7 +181,8 @@ impl<T: Copy> Plane<T> {
         inside.then(|| self.values[y as usize * self.width as usize + x as usize])
     }
 
-    pub(crate) fn values_mut(&mut self) -> &mut [T] {
+    /// The values, to change in place.
+    pub fn values_mut(&mut self) -> &mut [T] {
         &mut self.values
     }
 }
