@@ -82,13 +82,7 @@ pub struct TextureSampling {
 impl Default for TextureSampling {
     /// Trilinear, isotropic.
     fn default() -> Self {
-        Self {
-            pixel: PixelFilter::Bilinear,
-            level: LevelFilter::Linear,
-            max_anisotropy: 1,
-            wrap: None,
-            lod_bias: 0.0,
-        }
+        Self { pixel: PixelFilter::Bilinear, level: LevelFilter::Linear, max_anisotropy: 1, wrap: None, lod_bias: 0.0 }
     }
 }
 

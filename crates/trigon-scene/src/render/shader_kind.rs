@@ -116,7 +116,10 @@ impl FromStr for ShaderKind {
 impl fmt::Display for UnknownShader {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "unknown shader '{}'; the shaders are ", self.0)?;
-        ShaderKind::ALL.iter().enumerate().try_for_each(|(i, kind)| write!(f, "{}{kind}", if i == 0 { "" } else { ", " }))
+        ShaderKind::ALL
+            .iter()
+            .enumerate()
+            .try_for_each(|(i, kind)| write!(f, "{}{kind}", if i == 0 { "" } else { ", " }))
     }
 }
 

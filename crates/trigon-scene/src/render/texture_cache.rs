@@ -78,9 +78,9 @@ fn make(scene: &Scene, id: TextureId, usages: &[Usage]) -> (Uploads, Option<Stri
     });
     let mut uploads = Vec::with_capacity(usages.len());
     for &usage in usages {
-        let uploaded = image.as_ref().and_then(|image| {
-            upload(image, usage).map_err(|error| problem = Some(error.to_string())).ok()
-        });
+        let uploaded = image
+            .as_ref()
+            .and_then(|image| upload(image, usage).map_err(|error| problem = Some(error.to_string())).ok());
         uploads.push((usage, uploaded));
     }
     (uploads, problem)

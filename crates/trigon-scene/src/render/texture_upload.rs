@@ -128,10 +128,9 @@ fn vector(image: &DecodedImage, size: [u32; 2]) -> Result<Uploaded, TextureError
             let values: Vec<f32> = image.pixels().as_flattened().iter().map(|v| word_to_unit(*v)).collect();
             Texture::from_floats(&TextureDesc::new(size, TexelFormat::Rgba32Float), &values)?
         }
-        DecodedImage::RgbaF32(image) => Texture::from_floats(
-            &TextureDesc::new(size, TexelFormat::Rgba32Float),
-            image.pixels().as_flattened(),
-        )?,
+        DecodedImage::RgbaF32(image) => {
+            Texture::from_floats(&TextureDesc::new(size, TexelFormat::Rgba32Float), image.pixels().as_flattened())?
+        }
         _ => {
             let image = image.clone().into_rgba8();
             Texture::from_bytes(&TextureDesc::new(size, TexelFormat::Rgba8), image.as_bytes())?

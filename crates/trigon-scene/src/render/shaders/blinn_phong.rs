@@ -135,8 +135,7 @@ impl<A: Layout> Shader for BlinnPhong<'_, A> {
             return (diffuse * w_diffuse).rgba(alpha);
         }
         let shines = self.illumination == Illumination::Specular && surface.specular != [0.0; 3];
-        let exponent =
-            if shines { Some(factors.get(Slot::Exponent).r * surface.exponent) } else { None };
+        let exponent = if shines { Some(factors.get(Slot::Exponent).r * surface.exponent) } else { None };
         let lighting = &self.frame.lighting;
         let Reflected { diffuse: diffuse_light, specular } = reflect(l, lighting, &point, exponent);
         let mut other = ambient * l.vec3(lighting.ambient);

@@ -31,12 +31,7 @@ const BUMP_HEIGHT: f32 = 1.0 / 32.0;
 impl NormalSource<'_> {
     /// The unit normal that faces the viewer.
     #[inline(always)]
-    pub(super) fn normal<L: Lanes, V: Attributes<L>>(
-        &self,
-        l: L,
-        f: &Fragment<L, V>,
-        to_eye: Vec3<L>,
-    ) -> Vec3<L> {
+    pub(super) fn normal<L: Lanes, V: Attributes<L>>(&self, l: L, f: &Fragment<L, V>, to_eye: Vec3<L>) -> Vec3<L> {
         if self.is_point {
             let normal = f.normal().normalize();
             return normal.dot(to_eye).lt(0.0).select(-normal, normal);
