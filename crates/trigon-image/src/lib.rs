@@ -31,6 +31,9 @@ mod limits;
 mod output;
 mod pixels;
 
+#[cfg(test)]
+mod tests;
+
 pub use color::Color;
 pub use compare::{Comparison, compare};
 pub use decode::{DecodedImage, decode};

@@ -321,3 +321,123 @@ fn flip(image: &mut Rgba8Image) {
         above[y * width..][..width].swap_with_slice(&mut below[..width]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::samples::{bmp_24, bmp_header, bmp_rle_8, picture};
+
+    fn image(bytes: &[u8]) -> Rgba8Image {
+        decode(bytes, &Limits::default()).unwrap().into_rgba8()
+    }
+
+    fn error(bytes: &[u8]) -> String {
+        decode(bytes, &Limits::default()).unwrap_err().to_string()
+    }
+
+    /// A file with a header of 40 bytes.
+    fn file(size: (i32, i32), bits: u16, compression: u32, between: &[u8], body: &[u8]) -> Vec<u8> {
+        [&bmp_header(40, size, bits, compression, between), body].concat()
+    }
+
+    #[test]
+    fn rows_are_padded_and_stored_from_the_bottom() {
+        for width in 1..6 {
+            let expected = picture(width, 3, true);
+            assert_eq!(image(&bmp_24(&expected)), expected);
+            // The padding of the last row may be missing.
+            let padding = (width as usize * 3).next_multiple_of(4) - width as usize * 3;
+            let bytes = bmp_24(&expected);
+            assert_eq!(image(&bytes[..bytes.len() - padding]), expected);
+        }
+        let top_down = file((1, -2), 24, 0, &[], &[1, 2, 3, 0, 4, 5, 6, 0]);
+        assert_eq!(image(&top_down).pixels(), [[3, 2, 1, 255], [6, 5, 4, 255]]);
+    }
+
+    #[test]
+    fn palettes_are_read_at_every_depth() {
+        let palette = |colors: u8| (0..colors).flat_map(|i| [i, 100, 200, 0]).collect::<Vec<u8>>();
+        for (bits, colors, body, expected) in [
+            (1, 2, &[0b0110_0000, 0, 0, 0][..], &[0, 1, 1][..]),
+            (2, 4, &[0b0001_1011, 0, 0, 0], &[0, 1, 2, 3]),
+            (4, 16, &[0x1f, 0x20, 0, 0], &[1, 15, 2]),
+            (8, 200, &[7, 199, 0, 0], &[7, 199]),
+        ] {
+            let width = i32::try_from(expected.len()).unwrap();
+            let image = image(&file((width, 1), bits, 0, &palette(colors), body));
+            let expected: Vec<[u8; 4]> = expected.iter().map(|&i| [200, 100, i, 255]).collect();
+            assert_eq!(image.pixels(), expected, "{bits} bits");
+        }
+        let outside = file((2, 1), 8, 0, &palette(3), &[2, 3, 0, 0]);
+        assert!(error(&outside).contains("index 3 is not in the palette of 3 colors"));
+    }
+
+    #[test]
+    fn fields_of_any_width_are_widened() {
+        let masks =
+            |masks: [u32; 4], count| masks.iter().take(count).flat_map(|m| m.to_le_bytes()).collect::<Vec<u8>>();
+        // 16 bits without masks are 5 bits a channel.
+        let plain = file((2, 1), 16, 0, &[], &[0x00, 0x7c, 0xe1, 0x03]);
+        assert_eq!(image(&plain).pixels(), [[255, 0, 0, 255], [0, 255, 8, 255]]);
+        let rgb565 = file((1, 1), 16, 3, &masks([0xf800, 0x07e0, 0x001f, 0], 3), &[0xe0, 0x07, 0, 0]);
+        assert_eq!(image(&rgb565).pixels(), [[0, 255, 0, 255]]);
+        // The fourth byte is no alpha unless a mask says so.
+        let body = 0x0180_40ff_u32.to_le_bytes();
+        assert_eq!(image(&file((1, 1), 32, 0, &[], &body)).pixels(), [[0x80, 0x40, 0xff, 255]]);
+        let with_alpha = masks([0xff, 0xff00, 0x00ff_0000, 0xff00_0000], 4);
+        assert_eq!(image(&file((1, 1), 32, 6, &with_alpha, &body)).pixels(), [[0xff, 0x40, 0x80, 1]]);
+        let ten_bits = masks([0x3ff0_0000, 0x000f_fc00, 0x0000_03ff, 0], 3);
+        let body = (1023_u32 << 20 | 512 << 10 | 1).to_le_bytes();
+        assert_eq!(image(&file((1, 1), 32, 3, &ten_bits, &body)).pixels(), [[255, 128, 0, 255]]);
+        let scattered = masks([0x5, 0xff00, 0xff_0000, 0], 3);
+        assert!(error(&file((1, 1), 32, 3, &scattered, &body)).contains("neighbours"));
+    }
+
+    #[test]
+    fn run_length_packets_are_undone() {
+        let index = |image: &Rgba8Image| image.pixels().iter().map(|pixel| pixel[2]).collect::<Vec<u8>>();
+        assert_eq!(index(&image(&bmp_rle_8())), [0, 3, 3, 3, 3, 0, 0, 0, 0, 0, 1, 1, 3, 2, 1]);
+        let palette: Vec<u8> = (0..16).flat_map(|i| [i, 0, 0, 0]).collect();
+        // A run of five of 1 and 2 in turn; then three literals in two bytes.
+        let packed = file((5, 2), 4, 2, &palette, &[5, 0x12, 0, 0, 0, 3, 0xab, 0xc0, 0, 1]);
+        assert_eq!(index(&image(&packed)), [10, 11, 12, 0, 0, 1, 2, 1, 2, 1]);
+        for body in [&[6, 0x12][..], &[0, 6, 1, 2, 3, 4], &[0, 0, 0, 0, 1, 1], &[0, 2, 9, 0], &[0, 2, 0, 9]] {
+            let error = error(&file((5, 2), 4, 2, &palette, body));
+            assert!(error.contains("stay inside the picture"), "{error}");
+        }
+    }
+
+    #[test]
+    fn other_header_versions_are_read() {
+        // OS/2 1: sides of 16 bits and palette entries of 3 bytes.
+        let mut core = b"BM\0\0\0\0\0\0\0\0\x20\0\0\0\x0c\0\0\0\x02\0\x01\0\x01\0\x01\0".to_vec();
+        core.extend([1, 2, 3, 4, 5, 6, 0b0100_0000, 0, 0, 0]);
+        assert_eq!(image(&core).pixels(), [[3, 2, 1, 255], [6, 5, 4, 255]]);
+        // Version 5, whose masks lie in the header.
+        let mut rest = [0xff_0000_u32, 0xff00, 0xff, 0xff00_0000].map(u32::to_le_bytes).concat();
+        rest.resize(124 - 40, 0);
+        let mut file = bmp_header(124, (1, 1), 32, 3, &rest);
+        file.extend([1, 2, 3, 4]);
+        assert_eq!(image(&file).pixels(), [[3, 2, 1, 4]]);
+    }
+
+    #[test]
+    fn bad_headers_say_which_rule_they_break() {
+        for (bytes, part) in [
+            (file((0, 1), 24, 0, &[], &[]), "at least 1"),
+            (file((-1, 1), 24, 0, &[], &[]), "the width is positive"),
+            (file((1, 1), 7, 0, &[], &[]), "not 7"),
+            (file((1, 1), 24, 1, &[], &[]), "24 bits a pixel do not go"),
+            (file((1, 1), 8, 9, &[], &[]), "at byte 30: the compression is 0 to 6, not 9"),
+            (file((1, 1), 24, 4, &[], &[]), "unsupported BMP: JPEG"),
+            (file((1, -1), 8, 1, &[], &[]), "bottom row first"),
+            (file((9, 9), 24, 0, &[], &[0; 8]), "too short for 9 rows of 28 bytes"),
+            (file((2, 1), 24, 0, &[], &[0; 5]), "ends inside the pixels"),
+            (bmp_header(41, (1, 1), 24, 0, &[]), "not 41"),
+        ] {
+            let error = error(&bytes);
+            assert!(error.contains(part), "{error}");
+        }
+        assert!(error(&file((1, i32::MIN), 24, 0, &[], &[])).contains("max_height of 2147483648"));
+    }
+}

@@ -41,7 +41,6 @@ fn read_header(reader: &mut Reader<'_>) -> Result<f32, DecodeError> {
     }
     let mut exposure = 1.0_f32;
     loop {
-        let offset = reader.offset();
         let line = reader.line("header")?;
         if line.is_empty() {
             let scale = 1.0 / exposure;
@@ -57,10 +56,10 @@ fn read_header(reader: &mut Reader<'_>) -> Result<f32, DecodeError> {
             Some(("FORMAT", other)) => {
                 return Err(DecodeError::unsupported(Format::Hdr, format!("pixels of format \"{other}\"")));
             }
-            Some(("EXPOSURE", value)) => match value.parse::<f32>() {
-                Ok(value) if value > 0.0 && value.is_finite() => exposure *= value,
-                _ => return Err(DecodeError::malformed(Format::Hdr, offset, "an exposure is a positive number")),
-            },
+            // Some writers put 0 where they know no exposure.
+            Some(("EXPOSURE", value)) => {
+                exposure *= value.parse().ok().filter(|&value: &f32| value > 0.0 && value.is_finite()).unwrap_or(1.0);
+            }
             // Comments and other variables.
             _ => {}
         }
@@ -182,4 +181,100 @@ fn linear([r, g, b, exponent]: Rgbe, scale: f32) -> [f32; 4] {
     #[expect(clippy::cast_possible_truncation, reason = "8 bits of mantissa and an exponent in the range of f32")]
     let value = |mantissa: u8| ((f64::from(mantissa) * unit) as f32 * scale).min(f32::MAX);
     [value(r), value(g), value(b), 1.0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::samples;
+
+    fn image(bytes: &[u8]) -> RgbaF32Image {
+        decode(bytes, &Limits::default()).unwrap().into_linear()
+    }
+
+    fn error(text: &str) -> String {
+        decode(text.as_bytes(), &Limits::default()).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn new_runs_and_exposure_are_undone() {
+        let image = image(&samples::hdr());
+        assert_eq!((image.width(), image.height()), (8, 2));
+        // Exponent 130: units of 2^-6, halved by the exposure of 2.
+        assert_eq!(image.pixel(0, 0), [1.0, 0.0, 1.0 / 128.0, 1.0]);
+        assert_eq!(image.pixel(2, 1), [1.0, 20.0 / 128.0, 3.0 / 128.0, 1.0]);
+        assert_eq!(image.pixel(7, 1), [1.0, 70.0 / 128.0, 4.0 / 128.0, 1.0]);
+    }
+
+    #[test]
+    fn old_runs_and_rows_from_the_bottom_are_undone() {
+        let image = image(&samples::hdr_old());
+        assert_eq!((image.width(), image.height()), (5, 2));
+        assert!(image.row(1).iter().all(|&pixel| pixel == [1.0, 0.5, 0.25, 1.0]));
+        assert!(image.row(0).iter().all(|&pixel| pixel == [1.0 / 256.0, 2.0 / 256.0, 3.0 / 256.0, 1.0]));
+    }
+
+    #[test]
+    fn chained_old_runs_count_in_higher_digits() {
+        let mut file = b"#?RADIANCE\n\n-Y 1 +X 600\n".to_vec();
+        // One pixel, 87 more, and 2 * 256 more.
+        file.extend([128, 0, 0, 129, 1, 1, 1, 87, 1, 1, 1, 2]);
+        assert!(image(&file).row(0).iter().all(|&pixel| pixel == [1.0, 0.0, 0.0, 1.0]));
+    }
+
+    #[test]
+    fn all_eight_orientations_are_honored() {
+        // The pixels are numbered in file order; the first line of the file is 0, 1, 2.
+        let body: Vec<u8> = (0..6).flat_map(|i| [i, 0, 0, 136]).collect();
+        for (size_line, rows) in [
+            ("-Y 2 +X 3", vec![[0, 1, 2], [3, 4, 5]]),
+            ("-Y 2 -X 3", vec![[2, 1, 0], [5, 4, 3]]),
+            ("+Y 2 +X 3", vec![[3, 4, 5], [0, 1, 2]]),
+            ("+Y 2 -X 3", vec![[5, 4, 3], [2, 1, 0]]),
+        ] {
+            let file = [b"#?RADIANCE\n\n", size_line.as_bytes(), b"\n", &body].concat();
+            check_numbers(&file, &rows.concat());
+        }
+        for (size_line, rows) in [
+            ("+X 2 -Y 3", vec![[0, 3], [1, 4], [2, 5]]),
+            ("+X 2 +Y 3", vec![[2, 5], [1, 4], [0, 3]]),
+            ("-X 2 -Y 3", vec![[3, 0], [4, 1], [5, 2]]),
+            ("-X 2 +Y 3", vec![[5, 2], [4, 1], [3, 0]]),
+        ] {
+            let file = [b"#?RADIANCE\n\n", size_line.as_bytes(), b"\n", &body].concat();
+            check_numbers(&file, &rows.concat());
+        }
+    }
+
+    fn check_numbers(file: &[u8], expected: &[u8]) {
+        let found: Vec<f32> = image(file).pixels().iter().map(|pixel| pixel[0]).collect();
+        assert_eq!(found, expected.iter().map(|&i| f32::from(i)).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn bad_headers_say_which_rule_they_break() {
+        for (text, part) in [
+            (
+                "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n",
+                "unsupported HDR: pixels of format \"32-bit_rle_xyze\"",
+            ),
+            ("#?RADIANCE\n\n-Y 1 +Y 1\n....", "malformed HDR at byte 12: the size line"),
+            ("#?RADIANCE\n\n-Y 0 +X 1\n....", "the size line"),
+            ("#?RADIANCE\n\n-Y 1 +X\n....", "the size line"),
+            ("#?RADIANCE\n\n-Y 9 +X 1\n....", "too short for 9 pixels"),
+            ("#?RADIANCE\n\n-Y 1 +X 2\n\x01\x01\x01\x02", "repeats a pixel of its line"),
+            ("#?RADIANCE\nEXPOSURE=1e38\nEXPOSURE=1e38\n\n-Y 1 +X 1\n....", "exposures"),
+        ] {
+            let error = error(text);
+            assert!(error.contains(part), "{error}");
+        }
+    }
+
+    #[test]
+    fn meaningless_exposures_are_ignored() {
+        for exposure in ["0", "-1", "nan", "inf", "much"] {
+            let file = format!("#?RADIANCE\nEXPOSURE={exposure}\n\n-Y 1 +X 1\n\x40\x20\x10\x7f");
+            assert_eq!(image(file.as_bytes()).pixel(0, 0), [0.125, 0.0625, 0.03125, 1.0]);
+        }
+    }
 }

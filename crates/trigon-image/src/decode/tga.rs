@@ -139,17 +139,14 @@ impl PixelLayout {
             },
             ColorKind::TrueColor => Self::direct(bits, header.alpha_bits).map_or_else(|| wrong_depth("true-color"), Ok),
             ColorKind::ColorMapped => {
+                if map_bytes.is_empty() {
+                    let rule = "a color-mapped picture has a color map";
+                    return Err(DecodeError::malformed(Format::Tga, map_offset, rule));
+                }
                 let Some(entry) = Self::direct(header.map_entry_bits, header.alpha_bits) else {
                     let rule = format!("color map entries have 15, 16, 24 or 32 bits, not {}", header.map_entry_bits);
                     return Err(DecodeError::malformed(Format::Tga, 7, rule));
                 };
-                if map_bytes.is_empty() {
-                    return Err(DecodeError::malformed(
-                        Format::Tga,
-                        map_offset,
-                        "a color-mapped picture has a color map",
-                    ));
-                }
                 let colors = map_bytes.chunks_exact(entry_bytes).map(|bytes| entry.direct_color(bytes)).collect();
                 let index_bytes = match bits {
                     8 => 1,
@@ -328,4 +325,214 @@ fn place_rows(header: &Header, mut pixels: Vec<[u8; 4]>) -> Result<Rgba8Image, D
     }
     Rgba8Image::from_pixels(header.width, header.height, pixels)
         .map_err(|error| DecodeError::malformed_somewhere(Format::Tga, error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Builds files by the specification, field by field.
+    #[derive(Clone)]
+    struct Tga {
+        image_type: u8,
+        map: Option<(u16, u16, u8)>,
+        map_bytes: Vec<u8>,
+        size: (u16, u16),
+        bits: u8,
+        descriptor: u8,
+        id: &'static [u8],
+        body: Vec<u8>,
+    }
+
+    impl Tga {
+        fn new(image_type: u8, size: (u16, u16), bits: u8, body: &[u8]) -> Self {
+            let body = body.to_vec();
+            Self { image_type, map: None, map_bytes: Vec::new(), size, bits, descriptor: 0x20, id: b"", body }
+        }
+
+        fn with_map(mut self, first: u16, entry_bits: u8, entries: &[u8]) -> Self {
+            let count = entries.len() / usize::from(entry_bits.div_ceil(8));
+            self.map = Some((first, u16::try_from(count).unwrap(), entry_bits));
+            self.map_bytes = entries.to_vec();
+            self
+        }
+
+        fn bytes(&self) -> Vec<u8> {
+            let (first, count, entry_bits) = self.map.unwrap_or_default();
+            let mut file = vec![u8::try_from(self.id.len()).unwrap(), u8::from(self.map.is_some()), self.image_type];
+            file.extend(first.to_le_bytes().into_iter().chain(count.to_le_bytes()).chain([entry_bits, 7, 0, 9, 0]));
+            file.extend(self.size.0.to_le_bytes().into_iter().chain(self.size.1.to_le_bytes()));
+            file.extend([self.bits, self.descriptor]);
+            file.extend(self.id.iter().chain(&self.map_bytes).chain(&self.body));
+            file
+        }
+
+        fn decode(&self) -> Result<Rgba8Image, DecodeError> {
+            decode(&self.bytes(), &Limits::default()).map(DecodedImage::into_rgba8)
+        }
+
+        fn pixels(&self) -> Vec<[u8; 4]> {
+            self.decode().unwrap().into_pixels()
+        }
+
+        fn error(&self) -> String {
+            self.decode().unwrap_err().to_string()
+        }
+    }
+
+    /// The same pixels raw and as run-length packets: two equal ones in a run, then one raw.
+    fn raw_and_packed(kind: u8, bits: u8, a: &[u8], b: &[u8]) -> [Tga; 2] {
+        let raw = [a, a, b].concat();
+        let packed = [&[0x81], a, &[0x00], b].concat();
+        [Tga::new(kind, (3, 1), bits, &raw), Tga::new(kind + 8, (3, 1), bits, &packed)]
+    }
+
+    #[test]
+    fn every_depth_is_read_raw_and_packed() {
+        let opaque = 255;
+        for (kind, bits, descriptor, a, b, expected) in [
+            (3, 8, 0x20, &[7][..], &[200][..], [[7, 7, 7, opaque], [200, 200, 200, opaque]]),
+            (3, 16, 0x28, &[7, 80], &[200, 255], [[7, 7, 7, 80], [200, 200, 200, 255]]),
+            (2, 15, 0x20, &[0x1f, 0x00], &[0x00, 0x7c], [[0, 0, 255, opaque], [255, 0, 0, opaque]]),
+            (2, 16, 0x20, &[0xe0, 0x03], &[0x10, 0x80], [[0, 255, 0, opaque], [0, 0, 132, opaque]]),
+            // With a declared alpha bit.
+            (2, 16, 0x21, &[0xe0, 0x03], &[0x10, 0x80], [[0, 255, 0, 0], [0, 0, 132, opaque]]),
+            (2, 24, 0x20, &[1, 2, 3], &[4, 5, 6], [[3, 2, 1, opaque], [6, 5, 4, opaque]]),
+            (2, 32, 0x28, &[1, 2, 3, 99], &[4, 5, 6, 0], [[3, 2, 1, 99], [6, 5, 4, 0]]),
+        ] {
+            for mut file in raw_and_packed(kind, bits, a, b) {
+                file.descriptor = descriptor;
+                assert_eq!(file.pixels(), [expected[0], expected[0], expected[1]], "type {kind}, {bits} bits");
+            }
+        }
+    }
+
+    #[test]
+    fn color_maps_are_read_at_every_depth() {
+        for (entry_bits, entries, expected) in [
+            (15, &[0x1f, 0x00, 0x00, 0x7c][..], [[0, 0, 255, 255], [255, 0, 0, 255]]),
+            (16, &[0x1f, 0x00, 0x00, 0x7c], [[0, 0, 255, 255], [255, 0, 0, 255]]),
+            (24, &[1, 2, 3, 4, 5, 6], [[3, 2, 1, 255], [6, 5, 4, 255]]),
+            (32, &[1, 2, 3, 9, 4, 5, 6, 8], [[3, 2, 1, 9], [6, 5, 4, 8]]),
+        ] {
+            for (bits, a, b) in [(8, &[5][..], &[6][..]), (16, &[5, 0], &[6, 0])] {
+                for file in raw_and_packed(1, bits, a, b) {
+                    // The first entry stands for index 5.
+                    let file = file.with_map(5, entry_bits, entries);
+                    assert_eq!(file.pixels(), [expected[0], expected[0], expected[1]], "{entry_bits} bits an entry");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn indices_outside_of_the_map_are_errors() {
+        for index in [4, 7, 255] {
+            let file = Tga::new(1, (1, 1), 8, &[index]).with_map(5, 24, &[1, 2, 3, 4, 5, 6]);
+            assert_eq!(
+                file.error(),
+                format!("malformed TGA at byte 24: index {index} is not in the color map of 2 colors from 5")
+            );
+        }
+        assert!(Tga::new(1, (1, 1), 8, &[0]).error().contains("has a color map"));
+    }
+
+    #[test]
+    fn all_four_origins_are_honored() {
+        // Two rows of three, as stored.
+        let body = [1, 2, 3, 4, 5, 6];
+        for (descriptor, expected) in [
+            (0x00, [4, 5, 6, 1, 2, 3]),
+            (0x10, [6, 5, 4, 3, 2, 1]),
+            (0x20, [1, 2, 3, 4, 5, 6]),
+            (0x30, [3, 2, 1, 6, 5, 4]),
+        ] {
+            let file = Tga { descriptor, ..Tga::new(3, (3, 2), 8, &body) };
+            assert_eq!(file.pixels().iter().map(|p| p[0]).collect::<Vec<_>>(), expected, "{descriptor:#x}");
+        }
+    }
+
+    #[test]
+    fn packets_may_cross_rows_but_not_the_end() {
+        let crossing = Tga::new(11, (2, 2), 8, &[0x82, 9, 0x00, 4]);
+        assert_eq!(crossing.pixels().iter().map(|p| p[0]).collect::<Vec<_>>(), [9, 9, 9, 4]);
+        for body in [&[0x84, 9][..], &[0x04, 1, 2, 3, 4, 5]] {
+            assert!(Tga::new(11, (2, 2), 8, body).error().contains("past the end"));
+        }
+    }
+
+    #[test]
+    fn the_identification_and_an_unneeded_map_are_passed_over() {
+        let mut file = Tga::new(3, (1, 1), 8, &[77]).with_map(0, 24, &[0; 9]);
+        file.id = b"made by hand";
+        assert_eq!(file.pixels(), [[77, 77, 77, 255]]);
+    }
+
+    #[test]
+    fn undeclared_alpha_counts_unless_it_is_0_everywhere() {
+        let file = |body| Tga { descriptor: 0x20, ..Tga::new(2, (2, 1), 32, body) };
+        assert_eq!(file(&[1, 2, 3, 0, 4, 5, 6, 0]).pixels().map_alpha(), [255, 255]);
+        assert_eq!(file(&[1, 2, 3, 0, 4, 5, 6, 9]).pixels().map_alpha(), [0, 9]);
+        // Declared alpha of 0 is transparent.
+        let declared = Tga { descriptor: 0x28, ..file(&[1, 2, 3, 0, 4, 5, 6, 0]) };
+        assert_eq!(declared.pixels().map_alpha(), [0, 0]);
+    }
+
+    trait MapAlpha {
+        fn map_alpha(&self) -> Vec<u8>;
+    }
+
+    impl MapAlpha for Vec<[u8; 4]> {
+        fn map_alpha(&self) -> Vec<u8> {
+            self.iter().map(|pixel| pixel[3]).collect()
+        }
+    }
+
+    #[test]
+    fn the_extension_area_tells_what_alpha_means() {
+        for (attributes_type, expected) in
+            [(0, [3, 2, 100, 255]), (2, [3, 2, 100, 255]), (3, [3, 2, 100, 128]), (4, [6, 4, 199, 128])]
+        {
+            let mut file = Tga { descriptor: 0x28, ..Tga::new(2, (1, 1), 32, &[100, 2, 3, 128]) }.bytes();
+            let area = u32::try_from(file.len()).unwrap();
+            file.extend([0; 494]);
+            file.push(attributes_type);
+            file.extend(area.to_le_bytes().into_iter().chain([0; 4]));
+            file.extend(crate::format::TGA_SIGNATURE);
+            assert_eq!(Format::sniff(&file), Some(Format::Tga));
+            let image = decode(&file, &Limits::default()).unwrap().into_rgba8();
+            assert_eq!(image.pixel(0, 0), expected, "attributes type {attributes_type}");
+        }
+    }
+
+    #[test]
+    fn bad_headers_say_which_rule_they_break() {
+        let valid = Tga::new(2, (1, 1), 24, &[1, 2, 3]);
+        for (file, part) in [
+            (Tga { image_type: 0, ..valid.clone() }, "without a picture"),
+            (Tga { image_type: 4, ..valid.clone() }, "at byte 2: the image type"),
+            (Tga { image_type: 32, ..valid.clone() }, "Huffman"),
+            (Tga { size: (0, 1), ..valid.clone() }, "0x1"),
+            (Tga { bits: 8, ..valid.clone() }, "8 bits a pixel in a true-color picture"),
+            (Tga { image_type: 3, ..valid.clone() }, "24 bits a pixel in a grayscale picture"),
+            (Tga { descriptor: 0x60, ..valid.clone() }, "interleaved"),
+            (Tga { size: (2, 1), ..valid.clone() }, "the file ends inside the pixels"),
+            (Tga { image_type: 10, size: (60000, 60000), ..valid.clone() }, "max_width of 60000"),
+        ] {
+            let error = file.error();
+            assert!(error.contains(part), "{error}");
+        }
+        let mut bytes = valid.bytes();
+        bytes[1] = 2;
+        assert!(decode(&bytes, &Limits::default()).unwrap_err().to_string().contains("at byte 1"));
+    }
+
+    #[test]
+    fn a_short_file_cannot_claim_a_large_picture() {
+        // 30000 x 4000 pixels from 18 + 4 bytes: refused before memory is taken.
+        for image_type in [2, 10] {
+            let file = Tga::new(image_type, (30000, 4000), 24, &[0xff, 1, 2, 3]);
+            assert!(matches!(file.decode(), Err(DecodeError::Malformed { .. })));
+        }
+    }
 }

@@ -217,3 +217,122 @@ fn convert_error(error: TiffError) -> DecodeError {
         other => DecodeError::malformed_somewhere(Format::Tiff, other.to_string()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An uncompressed little-endian file of one strip.
+    struct Tiff {
+        size: (u16, u16),
+        bits: u16,
+        channels: u16,
+        photometric: u16,
+        /// More entries: tag and values of 16 bits.
+        extra: Vec<(u16, Vec<u16>)>,
+        body: Vec<u8>,
+    }
+
+    impl Tiff {
+        fn bytes(&self) -> Vec<u8> {
+            let mut entries = vec![
+                (256, vec![self.size.0]),
+                (257, vec![self.size.1]),
+                (258, vec![self.bits; usize::from(self.channels)]),
+                (259, vec![1]),
+                (262, vec![self.photometric]),
+                (273, vec![8]),
+                (277, vec![self.channels]),
+                (278, vec![self.size.1]),
+                (279, vec![u16::try_from(self.body.len()).unwrap()]),
+            ];
+            entries.extend(self.extra.clone());
+            entries.sort();
+            // Head, strip, directory, and values that are too long for it.
+            let directory = 8 + self.body.len().next_multiple_of(2);
+            let mut file = b"II\x2a\0".to_vec();
+            file.extend(u32::try_from(directory).unwrap().to_le_bytes());
+            file.extend(&self.body);
+            file.resize(directory, 0);
+            let mut long_values = Vec::new();
+            let long_offset = directory + 2 + entries.len() * 12 + 4;
+            file.extend(u16::try_from(entries.len()).unwrap().to_le_bytes());
+            for (tag, values) in entries {
+                file.extend([tag, 3].map(u16::to_le_bytes).concat());
+                file.extend(u32::try_from(values.len()).unwrap().to_le_bytes());
+                let mut bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+                if bytes.len() > 4 {
+                    let offset = u32::try_from(long_offset + long_values.len()).unwrap();
+                    long_values.extend(bytes);
+                    bytes = offset.to_le_bytes().to_vec();
+                }
+                bytes.resize(4, 0);
+                file.extend(bytes);
+            }
+            file.extend([0; 4]);
+            file.extend(long_values);
+            file
+        }
+
+        fn image(&self) -> DecodedImage {
+            decode(&self.bytes(), &Limits::default()).unwrap()
+        }
+
+        fn pixels(&self) -> Vec<[u8; 4]> {
+            self.image().into_rgba8().into_pixels()
+        }
+    }
+
+    fn tiff(size: (u16, u16), bits: u16, channels: u16, photometric: u16, body: &[u8]) -> Tiff {
+        Tiff { size, bits, channels, photometric, extra: Vec::new(), body: body.to_vec() }
+    }
+
+    #[test]
+    fn low_depths_are_widened() {
+        let gray = |pixels: Vec<[u8; 4]>| pixels.iter().map(|pixel| pixel[0]).collect::<Vec<_>>();
+        let bilevel = tiff((10, 2), 1, 1, 1, &[0b1010_0000, 0b0100_0000, 0xff, 0]);
+        assert_eq!(gray(bilevel.pixels())[..10], [255, 0, 255, 0, 0, 0, 0, 0, 0, 255]);
+        assert_eq!(gray(bilevel.pixels())[10..], [255, 255, 255, 255, 255, 255, 255, 255, 0, 0]);
+        let four_bits = tiff((3, 1), 4, 1, 1, &[0x0f, 0x80]);
+        assert_eq!(gray(four_bits.pixels()), [0, 255, 136]);
+        // White is zero.
+        let inverted = tiff((3, 1), 8, 1, 0, &[0, 255, 100]);
+        assert_eq!(gray(inverted.pixels()), [255, 0, 155]);
+    }
+
+    #[test]
+    fn palettes_are_looked_up() {
+        let mut file = tiff((2, 1), 8, 1, 3, &[1, 255]);
+        let map = (0..3 * 256).map(|i| if i % 256 == 1 { [10, 20, 30][i / 256] * 257 } else { 65535 }).collect();
+        file.extra.push((320, map));
+        assert_eq!(file.pixels(), [[10, 20, 30, 255], [255, 255, 255, 255]]);
+        file.extra[0].1.truncate(3);
+        let error = decode(&file.bytes(), &Limits::default()).unwrap_err().to_string();
+        assert!(error.contains("not in the color map of 1 colors"), "{error}");
+    }
+
+    #[test]
+    fn inks_are_taken_from_white() {
+        let file = tiff((4, 1), 8, 4, 5, &[0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 255, 0, 128, 255, 128]);
+        assert_eq!(file.pixels(), [[255, 255, 255, 255], [0, 255, 255, 255], [0, 0, 0, 255], [127, 63, 0, 255]]);
+    }
+
+    #[test]
+    fn premultiplied_alpha_is_undone_and_straight_alpha_kept() {
+        let mut file = tiff((1, 1), 8, 4, 2, &[64, 128, 0, 128]);
+        for (kind, expected) in [(2, [64, 128, 0, 128]), (1, [128, 255, 0, 128])] {
+            file.extra = vec![(338, vec![kind])];
+            assert_eq!(file.pixels(), [expected]);
+        }
+    }
+
+    #[test]
+    fn sixteen_bits_and_floats_are_kept() {
+        let wide = tiff((2, 1), 16, 1, 1, &[0x34, 0x12, 0xff, 0xff]);
+        let DecodedImage::Rgba16(image) = wide.image() else { panic!("16 bits stay") };
+        assert_eq!(image.pixels(), [[0x1234, 0x1234, 0x1234, 65535], [65535; 4]]);
+        let mut float = tiff((1, 1), 32, 1, 1, &2.5_f32.to_le_bytes());
+        float.extra.push((339, vec![3]));
+        assert_eq!(float.image(), DecodedImage::RgbaF32(RgbaF32Image::filled(1, 1, [2.5, 2.5, 2.5, 1.0])));
+    }
+}

@@ -8,8 +8,9 @@
 //! Source: the pattern is from B. E. Bayer, "An optimum method for two-level rendition of continuous-tone pictures" (1973).
 
 /// Finds palette indices; remembers colors it has seen.
-pub(super) struct PaletteMapper<'a> {
-    palette: &'a [[u8; 3]],
+pub(super) struct PaletteMapper {
+    /// Reds, greens and blues of the palette, so that loops over it vectorize; unused entries are too far away to matter.
+    channels: [[f32; 256]; 3],
     is_dithered: bool,
     /// By a hash of the color: the color plus 1 in the upper bits, and its mix.
     cache: Vec<(u32, Mix)>,
@@ -23,12 +24,19 @@ struct Mix {
     share_of_second: u8,
 }
 
-const CACHE_BITS: u32 = 15;
+/// Room for the colors of most frames; a color pushed out is only searched again.
+const CACHE_BITS: u32 = 18;
 
-impl<'a> PaletteMapper<'a> {
+impl PaletteMapper {
     /// `palette` holds 1 to 256 colors.
-    pub(super) fn new(palette: &'a [[u8; 3]], is_dithered: bool) -> Self {
-        Self { palette, is_dithered, cache: vec![(0, Mix::default()); 1 << CACHE_BITS] }
+    pub(super) fn new(palette: &[[u8; 3]], is_dithered: bool) -> Self {
+        let mut channels = [[UNUSED; 256]; 3];
+        for (index, color) in palette.iter().enumerate().take(256) {
+            for (channel, &code) in channels.iter_mut().zip(color) {
+                channel[index] = f32::from(code);
+            }
+        }
+        Self { channels, is_dithered, cache: vec![(0, Mix::default()); 1 << CACHE_BITS] }
     }
 
     /// The index for a pixel of `color` at column `x` and row `y`.
@@ -44,29 +52,16 @@ impl<'a> PaletteMapper<'a> {
     }
 
     fn mix(&self, color: [u8; 3]) -> Mix {
-        let near = self.nearest(color);
-        let near_color = self.palette[usize::from(near)];
-        if !self.is_dithered || near_color == color {
+        let color = color.map(f32::from);
+        let (near, distance) = smallest(&self.squared_distances(color));
+        if !self.is_dithered || distance == 0.0 {
             return Mix { first: near, second: near, share_of_second: 0 };
         }
-        let offset = difference(color, near_color);
-        let mut far = near;
-        let mut share = 0.0;
-        let mut least_error = dot(offset, offset);
-        for (index, &candidate) in (0..=u8::MAX).zip(self.palette) {
-            let way = difference(candidate, near_color);
-            let length = dot(way, way);
-            let towards = dot(offset, way);
-            // How far along the way the color lies; at most half, or the candidate would be the nearest.
-            if towards > 0.0 {
-                let t = (towards / length).min(0.5);
-                let error =
-                    dot(offset, offset) - 2.0 * t * towards + t * t * length + COARSENESS * t * (1.0 - t) * length;
-                if error < least_error {
-                    (far, share, least_error) = (index, t, error);
-                }
-            }
-        }
+        let shares = self.shares(color, near);
+        // Of two equal errors the first is taken: that of the nearest alone, with a share of 0.
+        let (best, error) = smallest(&shares.map(|share| share.error));
+        let far = if error < distance { best } else { near };
+        let share = if far == near { 0.0 } else { shares[usize::from(far)].of_far };
         // In ascending order, so that the pattern does not turn over where the two swap roles.
         let share = if near <= far { share } else { 1.0 - share };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the share is in 0..=1")]
@@ -74,23 +69,61 @@ impl<'a> PaletteMapper<'a> {
         Mix { first: near.min(far), second: near.max(far), share_of_second }
     }
 
-    /// The palette color with the least squared distance; the first of equals.
-    fn nearest(&self, color: [u8; 3]) -> u8 {
-        let distance = |entry: &[u8; 3]| -> u32 { (0..3).map(|i| u32::from(entry[i].abs_diff(color[i])).pow(2)).sum() };
-        let nearest = self.palette.iter().enumerate().min_by_key(|(_, entry)| distance(entry));
-        nearest.and_then(|(index, _)| u8::try_from(index).ok()).unwrap_or(0)
+    fn squared_distances(&self, [r, g, b]: [f32; 3]) -> [f32; 256] {
+        let [reds, greens, blues] = &self.channels;
+        std::array::from_fn(|i| square(reds[i] - r) + square(greens[i] - g) + square(blues[i] - b))
+    }
+
+    /// For each palette color the best mix of it and the nearest color.
+    fn shares(&self, [r, g, b]: [f32; 3], near: u8) -> [Share; 256] {
+        let [reds, greens, blues] = &self.channels;
+        let near = usize::from(near);
+        let origin = [reds[near], greens[near], blues[near]];
+        let offset = [r - origin[0], g - origin[1], b - origin[2]];
+        let distance = square(offset[0]) + square(offset[1]) + square(offset[2]);
+        std::array::from_fn(|i| {
+            let way = [reds[i] - origin[0], greens[i] - origin[1], blues[i] - origin[2]];
+            let length = square(way[0]) + square(way[1]) + square(way[2]);
+            let towards = offset[0] * way[0] + offset[1] * way[1] + offset[2] * way[2];
+            // How far along the way the color lies; at most half, or the other would be the nearest.
+            let ratio = towards / length.max(1.0);
+            let of_far = if ratio < 0.0 {
+                0.0
+            } else if ratio > 0.5 {
+                0.5
+            } else {
+                ratio
+            };
+            let error_of_mean = distance - 2.0 * of_far * towards + of_far * of_far * length;
+            let error_of_mean = if error_of_mean > 0.0 { error_of_mean } else { 0.0 };
+            Share { of_far, error: error_of_mean + COARSENESS * of_far * (1.0 - of_far) * length }
+        })
     }
 }
+
+/// What part of the pixels shows the farther of two colors, and the error of that.
+#[derive(Clone, Copy)]
+struct Share {
+    of_far: f32,
+    error: f32,
+}
+
+/// The value of palette entries that are not there.
+const UNUSED: f32 = 1e6;
 
 /// Weight of the variance of a pattern against the error of its mean; also the share under which one does not dither.
 const COARSENESS: f32 = 1.0 / 32.0;
 
-fn difference(a: [u8; 3], b: [u8; 3]) -> [f32; 3] {
-    [0, 1, 2].map(|i| f32::from(a[i]) - f32::from(b[i]))
+fn square(x: f32) -> f32 {
+    x * x
 }
 
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+/// The first of the smallest values, none below 0, and its index.
+fn smallest(values: &[f32; 256]) -> (u8, f32) {
+    // The bits of floats from 0 on are in the order of the floats, and unlike them their minimum vectorizes.
+    let least = values.iter().map(|value| value.to_bits()).min().unwrap_or(0);
+    let index = values.iter().position(|value| value.to_bits() == least).unwrap_or(0);
+    (u8::try_from(index).unwrap_or(0), f32::from_bits(least))
 }
 
 /// Thresholds 0 to 63, neighbours far apart.
