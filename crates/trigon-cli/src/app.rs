@@ -1,0 +1,36 @@
+//! From arguments to an exit code.
+
+use crate::command;
+use crate::failure::Failure;
+use crate::options::{Cli, Command, command_line, with_implied_render};
+use crate::terminal::{self, Terminal};
+use clap::FromArgMatches;
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+/// Runs the command line; the first argument is the program's name.
+pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
+    let matches = command_line().try_get_matches_from(with_implied_render(arguments));
+    let done = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
+        Ok(cli) => execute(&cli.command),
+        // What was asked for: help or the version.
+        Err(text) if !text.use_stderr() => terminal::write_stdout(text.render().to_string().as_bytes()),
+        Err(error) => Err(Failure::Table(error.render().to_string())),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            Terminal::detect(false).failure(&failure);
+            failure.exit_code()
+        }
+    }
+}
+
+fn execute(command: &Command) -> Result<(), Failure> {
+    match command {
+        Command::Render(options) => command::render(options),
+        Command::Turntable(options) => command::turntable(options),
+        Command::Completions(options) => command::completions(options),
+        Command::Man(options) => command::man(options),
+    }
+}

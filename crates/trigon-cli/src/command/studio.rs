@@ -1,0 +1,172 @@
+//! What `render` and `turntable` share: options in; a scene, a renderer and a report out, then frame after frame.
+//!
+//! Everything that can be wrong with the command line and the output is found before a model is read.
+
+use crate::failure::Failure;
+use crate::load::Models;
+use crate::options::RenderOptions;
+use crate::output::{Destination, Encoding, Images};
+use crate::report::{Report, ReportTarget};
+use crate::terminal::Terminal;
+use crate::values::UpDirection;
+use crate::{machine, settings, view};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+use trigon::pipeline::{Picture, Renderer};
+use trigon_scene::load::Warning;
+use trigon_scene::render::{RenderSettings, SceneRenderer};
+use trigon_scene::scene::{Camera, Scene};
+
+/// A scene set up to be drawn.
+pub(crate) struct Studio {
+    pub(crate) terminal: Terminal,
+    pub(crate) scene: Scene,
+    /// The direction that is up in the scene.
+    pub(crate) up: UpDirection,
+    renderer: Renderer,
+    scene_renderer: SceneRenderer,
+    settings: RenderSettings,
+    picture: Picture,
+    is_strict: bool,
+    report: Report,
+    report_target: Option<ReportTarget>,
+}
+
+impl Studio {
+    /// Checks the options, then reads the models.
+    pub(crate) fn open(options: &RenderOptions, output: &Destination, encoding: &Encoding) -> Result<Self, Failure> {
+        let mut report = Report::start();
+        let terminal = Terminal::detect(options.output.quiet);
+        check_inputs(&options.models)?;
+        view::check(&options.view)?;
+        output.check(&options.models)?;
+        let report_target = ReportTarget::choose(options.output.json.as_ref(), output);
+        report_target.as_ref().map_or(Ok(()), |target| target.check(&options.models))?;
+        let settings = settings::render_settings(options, encoding.outputs(report_target.is_some()))?;
+        let renderer_options = machine::renderer_options(&options.machine)?;
+        let renderer = Renderer::new(renderer_options).map_err(|error| Failure::usage(error.to_string()))?;
+
+        let started = Instant::now();
+        let mut models = Models::load(&options.models, &options.input, options.machine.threads)?;
+        report.stages.load = started.elapsed();
+        output.check_not_among(&models.files)?;
+        models.place(&options.view);
+        models.scene.lights.extend(options.shading.lights.iter().map(|light| light.0.clone()));
+
+        report.models = options.models.iter().map(|path| path.display().to_string()).collect();
+        report.output = output.name();
+        report.format = encoding.format.name();
+        report.size = (settings.width, settings.height);
+        report.samples = settings.samples.to_string();
+        report.shader = settings.shader.name();
+        report.simd = renderer_options.simd.name();
+        report.threads = renderer_options.threads;
+        report.triangles = models.scene.triangle_count();
+        let is_empty = models.is_empty();
+        let up = options.view.up.unwrap_or(models.up);
+        let is_strict = options.input.strict;
+        let mut studio = Self {
+            terminal,
+            scene: models.scene,
+            up,
+            renderer,
+            scene_renderer: SceneRenderer::new(),
+            settings,
+            picture: Picture::default(),
+            is_strict,
+            report,
+            report_target,
+        };
+        studio.warn_all(&models.warnings)?;
+        if is_empty {
+            studio.finding(format!(
+                "{}: has no faces, lines or points; nothing to draw",
+                studio.report.models.join(", ")
+            ))?;
+        }
+        Ok(studio)
+    }
+
+    /// Width / height.
+    pub(crate) fn aspect(&self) -> f64 {
+        f64::from(self.settings.width) / f64::from(self.settings.height)
+    }
+
+    /// Width and height in pixels.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        (self.settings.width, self.settings.height)
+    }
+
+    /// Draws the scene as it is now.
+    pub(crate) fn draw(&mut self, camera: &Camera) -> Result<Images, Failure> {
+        let started = Instant::now();
+        let warnings = self.scene_renderer.prepare(&self.scene, &self.settings);
+        self.warn_all(&warnings)?;
+        let (statistics, _) = self
+            .scene_renderer
+            .render(&mut self.renderer, &self.scene, camera, &self.settings, &mut self.picture)
+            .map_err(|error| Failure::work(error.to_string()))?;
+        let elapsed = started.elapsed();
+
+        let report = &mut self.report;
+        let stages = &mut report.stages;
+        stages.geometry += statistics.geometry_time;
+        stages.tiles += statistics.tile_time;
+        stages.upload += elapsed.saturating_sub(statistics.geometry_time + statistics.tile_time);
+        if report.frames == 0 {
+            (report.eye, report.target) = (camera.eye, camera.target);
+        }
+        report.frames += 1;
+        report.geometry += statistics.geometry;
+        let images = Images::take(&mut self.picture);
+        if let (Some(_), Some(bytes)) = (&self.report_target, &images.bytes) {
+            report.hash.add(bytes);
+        }
+        Ok(images)
+    }
+
+    /// Says what is odd about what was drawn, and writes the report.
+    pub(crate) fn close(mut self, encode_time: Duration) -> Result<(), Failure> {
+        self.report.stages.encode = encode_time;
+        let geometry = self.report.geometry;
+        if geometry.dropped > 0 {
+            let frames = if self.report.frames > 1 { " over all frames" } else { "" };
+            let message = format!("{} primitives with infinite or undefined corners were left out", geometry.dropped);
+            self.report.warn(self.terminal, message + frames);
+        }
+        if geometry.submitted > 0 && geometry.drawn == 0 {
+            let message = "nothing of the model is in the picture; check --eye, --target, --near and --far";
+            self.report.warn(self.terminal, message.to_owned());
+        }
+        match &self.report_target {
+            Some(target) => self.report.write(target, self.terminal),
+            None => Ok(()),
+        }
+    }
+
+    fn warn_all(&mut self, warnings: &[Warning]) -> Result<(), Failure> {
+        for warning in warnings {
+            if self.is_strict && warning.kind.is_error_if_strict() {
+                return Err(Failure::work(format!("{warning} (an error because of --strict)")));
+            }
+            self.report.warn(self.terminal, warning.to_string());
+        }
+        Ok(())
+    }
+
+    /// A warning of our own, or an error if strict.
+    fn finding(&mut self, message: String) -> Result<(), Failure> {
+        if self.is_strict {
+            return Err(Failure::work(format!("{message} (an error because of --strict)")));
+        }
+        self.report.warn(self.terminal, message);
+        Ok(())
+    }
+}
+
+fn check_inputs(models: &[PathBuf]) -> Result<(), Failure> {
+    if models.iter().filter(|path| path.as_os_str() == "-").count() > 1 {
+        return Err(Failure::usage("standard input (-) can be read only once"));
+    }
+    Ok(())
+}

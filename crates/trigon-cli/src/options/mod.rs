@@ -1,0 +1,31 @@
+//! The option table: the one place from which the parser, the help, the man pages and the shell completions come.
+//!
+//! Only what the user may write; what it means is decided by the modules that read these structs.
+
+mod choices;
+mod cli;
+mod input;
+mod machine;
+mod output;
+mod picture;
+mod render;
+mod shading;
+mod texts;
+mod textures;
+mod turntable;
+mod view;
+
+pub(crate) use choices::{
+    BitDepth, Compression, CullChoice, InputFormat, LevelFilterChoice, PatternChoice, PixelFilterChoice, RateChoice,
+    WireframeChoice, WrapChoice,
+};
+pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
+pub(crate) use input::InputOptions;
+pub(crate) use machine::MachineOptions;
+pub(crate) use output::OutputOptions;
+pub(crate) use picture::PictureOptions;
+pub(crate) use render::RenderOptions;
+pub(crate) use shading::ShadingOptions;
+pub(crate) use textures::TextureOptions;
+pub(crate) use turntable::TurntableOptions;
+pub(crate) use view::ViewOptions;

@@ -1,0 +1,38 @@
+//! Options about pixels and samples.
+
+use super::{PatternChoice, RateChoice};
+use crate::values::PictureSize;
+use clap::Args;
+use trigon_image::Color;
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Picture")]
+pub(crate) struct PictureOptions {
+    /// Width and height: 1920x1080, 512, hd720, hd1080, qhd, 4k, 8k
+    ///
+    /// One number makes a square. qhd is 2560x1440, 4k is 3840x2160, 8k is 7680x4320; each side has at most 16384
+    /// pixels.
+    #[arg(short, long, default_value = "1024x768")]
+    pub(crate) size: PictureSize,
+
+    /// Colour behind the model, or none [default: #e6e8eb]
+    ///
+    /// none is transparent; formats without transparency show it as white. Behind shaders that look inside (normal,
+    /// depth, uv and so on) the default is black.
+    #[arg(short, long, value_name = "COLOUR")]
+    pub(crate) background: Option<Color>,
+
+    /// Samples per pixel, for smooth edges
+    ///
+    /// 1, 2, 4, 8 or 16 in the standard pattern; 1, 4, 9 or 16 on a grid.
+    #[arg(long, value_name = "N", default_value = "4")]
+    pub(crate) samples: u32,
+
+    /// Where the samples lie
+    #[arg(long, value_enum, default_value = "standard")]
+    pub(crate) pattern: PatternChoice,
+
+    /// How often a pixel is shaded
+    #[arg(long, value_enum, value_name = "RATE", default_value = "pixel")]
+    pub(crate) shading: RateChoice,
+}

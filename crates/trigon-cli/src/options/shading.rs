@@ -1,0 +1,44 @@
+//! Options about surfaces and light.
+
+use super::{CullChoice, WireframeChoice};
+use crate::values::{LightValue, Positive};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use trigon_scene::render::ShaderKind;
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Surface and light")]
+pub(crate) struct ShadingOptions {
+    /// What the colours show
+    #[arg(long, value_name = "NAME", default_value = "blinn-phong", value_parser = shader_parser())]
+    pub(crate) shader: ShaderKind,
+
+    /// Add a light, instead of the default ones; repeatable
+    ///
+    /// ambient:INTENSITY, directional:X,Y,Z:INTENSITY (the way that the light travels), point:X,Y,Z:INTENSITY, or
+    /// spot:X,Y,Z:DX,DY,DZ:ANGLE:INTENSITY (half the angle of the cone, or INNER/OUTER), each with :COLOUR at its end
+    /// if it is not white. Point and spot lights lose strength with the square of the distance.
+    #[arg(long = "light", value_name = "KIND:..", verbatim_doc_comment)]
+    pub(crate) lights: Vec<LightValue>,
+
+    /// Sides of triangles that are left out
+    #[arg(long, value_enum, value_name = "SIDE", default_value = "none")]
+    pub(crate) cull: CullChoice,
+
+    /// Draw the edges of triangles; over the surface if no MODE
+    #[arg(long, value_enum, value_name = "MODE", num_args = 0..=1, require_equals = true, default_missing_value = "over")]
+    pub(crate) wireframe: Option<WireframeChoice>,
+
+    /// Width of lines and edges, in pixels
+    #[arg(long, value_name = "PIXELS", default_value = "1")]
+    pub(crate) line_width: Positive,
+
+    /// Size of points, in pixels
+    #[arg(long, value_name = "PIXELS", default_value = "3")]
+    pub(crate) point_size: Positive,
+}
+
+fn shader_parser() -> impl TypedValueParser<Value = ShaderKind> {
+    let values = ShaderKind::ALL.map(|kind| PossibleValue::new(kind.name()).help(kind.description()));
+    PossibleValuesParser::new(values).try_map(|name| name.parse::<ShaderKind>())
+}

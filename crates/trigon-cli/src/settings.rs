@@ -1,0 +1,113 @@
+//! Options about samples, surfaces and textures, as the settings of the scene renderer.
+
+use crate::failure::Failure;
+use crate::options::{
+    CullChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice, RateChoice, RenderOptions, WireframeChoice,
+    WrapChoice,
+};
+use trigon::geometry::Cull;
+use trigon::pipeline::Outputs;
+use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
+use trigon::target::{SamplePattern, ShadingRate};
+use trigon_scene::render::{RenderSettings, ShaderKind, TextureSampling, Wireframe};
+
+/// The settings that the options ask for.
+pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Result<RenderSettings, Failure> {
+    let (picture, shading) = (&options.picture, &options.shading);
+    Ok(RenderSettings {
+        samples: sample_pattern(picture.pattern, picture.samples)?,
+        shading: match picture.shading {
+            RateChoice::Pixel => ShadingRate::Pixel,
+            RateChoice::Sample => ShadingRate::Sample,
+        },
+        outputs,
+        shader: shading.shader,
+        background: match picture.background {
+            Some(color) => color.to_linear_premultiplied(),
+            None => default_background(shading.shader),
+        },
+        cull: match shading.cull {
+            CullChoice::None => Cull::None,
+            CullChoice::Back => Cull::Back,
+            CullChoice::Front => Cull::Front,
+        },
+        sampling: texture_sampling(options),
+        wireframe: shading.wireframe.map(|mode| wireframe(mode, shading.line_width.to_f32())),
+        line_width_px: shading.line_width.to_f32(),
+        point_size_px: shading.point_size.to_f32(),
+        ..RenderSettings::new(picture.size.width, picture.size.height)
+    })
+}
+
+/// Light grey behind surfaces as they look, black behind colours that stand for numbers.
+fn default_background(shader: ShaderKind) -> [f32; 4] {
+    match shader {
+        ShaderKind::BlinnPhong | ShaderKind::Flat | ShaderKind::Unlit => RenderSettings::DEFAULT_BACKGROUND,
+        _ => [0.0, 0.0, 0.0, 1.0],
+    }
+}
+
+fn sample_pattern(pattern: PatternChoice, samples: u32) -> Result<SamplePattern, Failure> {
+    let (found, other) = match pattern {
+        PatternChoice::Standard => (SamplePattern::standard(samples), SamplePattern::grid(samples).map(|_| "grid")),
+        PatternChoice::Grid => (SamplePattern::grid(samples), SamplePattern::standard(samples).map(|_| "standard")),
+    };
+    found.ok_or_else(|| {
+        let (name, counts) = match pattern {
+            PatternChoice::Standard => ("standard", "1, 2, 4, 8 or 16"),
+            PatternChoice::Grid => ("grid", "1, 4, 9 or 16"),
+        };
+        let instead = other.map_or(String::new(), |other| format!(", or add --pattern {other}"));
+        Failure::usage(format!("--samples {samples}: the {name} pattern has {counts}; write one of these{instead}"))
+    })
+}
+
+fn texture_sampling(options: &RenderOptions) -> TextureSampling {
+    let textures = &options.textures;
+    TextureSampling {
+        pixel: match textures.pixel_filter {
+            PixelFilterChoice::Nearest => PixelFilter::Nearest,
+            PixelFilterChoice::Bilinear => PixelFilter::Bilinear,
+        },
+        level: match textures.level_filter {
+            LevelFilterChoice::Zero => LevelFilter::Zero,
+            LevelFilterChoice::Nearest => LevelFilter::Nearest,
+            LevelFilterChoice::Linear => LevelFilter::Linear,
+        },
+        max_anisotropy: textures.anisotropy,
+        wrap: match textures.wrap {
+            WrapChoice::Repeat => None,
+            WrapChoice::Mirror => Some(Wrap::Mirror),
+            WrapChoice::Clamp => Some(Wrap::ClampToEdge),
+            WrapChoice::Border => Some(Wrap::Border([0.0; 4])),
+        },
+        ..TextureSampling::default()
+    }
+}
+
+fn wireframe(mode: WireframeChoice, width_px: f32) -> Wireframe {
+    Wireframe {
+        width_px,
+        surface: mode == WireframeChoice::Over,
+        hidden_lines: mode == WireframeChoice::Only,
+        ..Wireframe::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sample_counts_are_those_of_the_pattern() {
+        assert_eq!(sample_pattern(PatternChoice::Standard, 8).unwrap().count(), 8);
+        assert_eq!(sample_pattern(PatternChoice::Grid, 9).unwrap().count(), 9);
+        let message = |pattern, samples| match sample_pattern(pattern, samples) {
+            Err(Failure::Usage(message)) => message,
+            other => panic!("{other:?}"),
+        };
+        assert!(message(PatternChoice::Standard, 9).contains("add --pattern grid"));
+        assert!(message(PatternChoice::Grid, 8).contains("1, 4, 9 or 16"));
+        assert!(!message(PatternChoice::Grid, 3).contains("add"));
+    }
+}

@@ -1,0 +1,12 @@
+//! Black-box tests of the command: it is run as a person or a script runs it, and judged by its files, its output, its
+//! messages and its exit code.
+
+mod failures;
+mod formats;
+mod help;
+mod pipes;
+mod report;
+mod support;
+mod turntable;
+mod usage;
+mod views;
