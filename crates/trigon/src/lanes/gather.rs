@@ -17,6 +17,12 @@ impl Zero for f32 {
 impl Zero for i32 {
     const ZERO: Self = 0;
 }
+impl Zero for u8 {
+    const ZERO: Self = 0;
+}
+impl Zero for u64 {
+    const ZERO: Self = 0;
+}
 impl Zero for u32 {
     const ZERO: Self = 0;
 }
@@ -24,8 +30,9 @@ impl<T: Zero, const N: usize> Zero for [T; N] {
     const ZERO: Self = [T::ZERO; N];
 }
 
+/// One element, or zero outside the slice.
 #[inline(always)]
-fn fetch<T: Zero>(slice: &[T], index: u32) -> T {
+pub(crate) fn fetch<T: Zero>(slice: &[T], index: u32) -> T {
     match slice.get(index as usize) {
         Some(value) => *value,
         None => T::ZERO,

@@ -9,6 +9,7 @@
 //! and float-to-integer conversions without a clamp. Plain closures must not appear in kernels: a closure is a
 //! function of its own, compiled without the CPU features of its caller.
 
+mod channels;
 mod float;
 mod gather;
 mod int;
@@ -25,4 +26,6 @@ pub use mask::Mask;
 pub use token::{LANES, Lanes};
 pub use vector::{Mat4, Rgba, Vec2, Vec3, Vec4};
 
+pub(crate) use channels::{Channels, PixelColumns};
+pub(crate) use gather::fetch;
 pub(crate) use level::dispatch;
