@@ -4,16 +4,10 @@
 //! the exponent, on the lit side only. With unit vectors N.H = (N.L + N.V) / sqrt(2 + 2 L.V), so that no half vector
 //! has to be made.
 
+use super::point::SurfacePoint;
 use crate::render::lights::{Lighting, Sky, Source};
 use trigon::lanes::{F32, Lanes, Vec3};
 use trigon::math::{exp2, log2};
-
-/// A lit point: world space, unit vectors.
-pub(super) struct LitPoint<L: Lanes> {
-    pub(super) position: Vec3<L>,
-    pub(super) normal: Vec3<L>,
-    pub(super) to_eye: Vec3<L>,
-}
 
 /// Light that a surface sends on, before its reflectances.
 pub(super) struct Reflected<L: Lanes> {
@@ -26,18 +20,19 @@ pub(super) struct Reflected<L: Lanes> {
 pub(super) fn reflect<L: Lanes>(
     l: L,
     lighting: &Lighting,
-    point: &LitPoint<L>,
+    point: &SurfacePoint<L>,
+    normal: Vec3<L>,
     exponent: Option<F32<L>>,
 ) -> Reflected<L> {
     let black = l.vec3([0.0; 3]);
     let mut sum = Reflected { diffuse: black, specular: black };
     if let Some(sky) = &lighting.sky {
-        sum.diffuse = sky.light(l, point.normal);
+        sum.diffuse = sky.light(l, normal);
     }
-    let cos_eye = point.normal.dot(point.to_eye);
+    let cos_eye = normal.dot(point.to_eye);
     for source in &lighting.sources {
         let (to_light, strength) = source.reach(l, point.position);
-        let cosine = point.normal.dot(to_light);
+        let cosine = normal.dot(to_light);
         let lit = cosine.max(0.0) * strength;
         sum.diffuse += l.vec3(source.color) * lit;
         let Some(exponent) = exponent else { continue };

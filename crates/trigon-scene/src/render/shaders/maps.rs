@@ -57,8 +57,16 @@ impl<L: Lanes> Footprint<L> {
 
 impl MapUse<'_> {
     /// Sixteen values: a colour premultiplied by its alpha, or one number in all channels.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn sample<L: Lanes>(&self, l: L, footprint: &Footprint<L>) -> Rgba<L> {
+        l.vectorize(
+            #[inline(always)]
+            || self.sample_inline(l, footprint),
+        )
+    }
+
+    #[inline(always)]
+    fn sample_inline<L: Lanes>(&self, l: L, footprint: &Footprint<L>) -> Rgba<L> {
         let at = footprint.placed(l, self);
         let mut value = self.texture.sample(l, &self.sampler, at.uv, at.dx, at.dy);
         if self.is_scalar {

@@ -1,13 +1,14 @@
 //! The shaders of scenes: Rust types, generic over the lanes.
 //!
-//! `vertex` fetches and places vertices, `normal` finds the shading normal with its maps, `maps` reads factor maps,
-//! `lighting` sums up light; `blinn_phong`, `overlay` and `stroke` are the shaders made of them.
+//! `vertex` fetches and places vertices, `point` gathers what is known of a fragment, `normal` finds the shading normal
+//! with its maps, `maps` reads factor maps, `lighting` sums up light; `blinn_phong`, `overlay` and `stroke` are the shaders made of them.
 
 mod blinn_phong;
 mod lighting;
 mod maps;
 mod normal;
 mod overlay;
+mod point;
 mod stroke;
 mod vertex;
 

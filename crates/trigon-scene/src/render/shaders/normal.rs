@@ -8,10 +8,9 @@
 //! 2010). The gradients of u and v are the tangent frame of normal maps where vertices have none.
 
 use super::maps::Footprint;
-use super::vertex::Attributes;
+use super::point::SurfacePoint;
 use crate::render::material::MapUse;
 use trigon::lanes::{F32, Lanes, Vec2, Vec3};
-use trigon::shade::Fragment;
 
 /// Where normals come from.
 #[derive(Clone, Copy)]
@@ -31,56 +30,54 @@ const BUMP_HEIGHT: f32 = 1.0 / 32.0;
 impl NormalSource<'_> {
     /// The unit normal that faces the viewer.
     #[inline(always)]
-    pub(super) fn normal<L: Lanes, V: Attributes<L>>(&self, l: L, f: &Fragment<L, V>, to_eye: Vec3<L>) -> Vec3<L> {
+    pub(super) fn normal<L: Lanes>(&self, l: L, p: &SurfacePoint<L>) -> Vec3<L> {
         if self.is_point {
-            let normal = f.normal().normalize();
-            return normal.dot(to_eye).lt(0.0).select(-normal, normal);
+            let normal = p.normal.normalize();
+            return normal.dot(p.to_eye).lt(0.0).select(-normal, normal);
         }
-        let plane = f.dx.position().cross(f.dy.position());
-        let plane = plane.dot(to_eye).lt(0.0).select(-plane, plane);
+        let plane = p.dx.cross(p.dy);
+        let plane = plane.dot(p.to_eye).lt(0.0).select(-plane, plane);
         if self.is_flat {
             return plane.normalize();
         }
-        let interpolated = f.normal();
-        let length_squared = interpolated.dot(interpolated);
-        let mut normal = interpolated * (1.0 / length_squared.max(f32::MIN_POSITIVE).sqrt());
+        let length_squared = p.normal.dot(p.normal);
+        let mut normal = p.normal * (1.0 / length_squared.max(f32::MIN_POSITIVE).sqrt());
         let is_usable = length_squared.gt(f32::MIN_POSITIVE);
         if !is_usable.all() {
             normal = is_usable.select(normal, plane.normalize());
         }
         let is_back = normal.dot(plane).lt(0.0);
-        let tilted = self.tilt(l, f, interpolated, normal);
-        is_back.select(-tilted, tilted)
+        if self.normal.is_some() || self.bump.is_some() {
+            normal = self.tilted(l, p, normal);
+        }
+        is_back.select(-normal, normal)
     }
 
     /// The normal with its maps, on the front of the surface.
+    #[inline(never)]
+    fn tilted<L: Lanes>(&self, l: L, p: &SurfacePoint<L>, normal: Vec3<L>) -> Vec3<L> {
+        l.vectorize(
+            #[inline(always)]
+            || self.tilted_inline(l, p, normal),
+        )
+    }
+
     #[inline(always)]
-    fn tilt<L: Lanes, V: Attributes<L>>(
-        &self,
-        l: L,
-        f: &Fragment<L, V>,
-        interpolated: Vec3<L>,
-        normal: Vec3<L>,
-    ) -> Vec3<L> {
-        if self.normal.is_none() && self.bump.is_none() {
-            return normal;
-        }
-        let footprint = Footprint { uv: f.uv(), dx: f.dx.uv(), dy: f.dy.uv() };
-        let gradient = SurfaceGradient::new(f.dx.position(), f.dy.position(), normal);
+    fn tilted_inline<L: Lanes>(&self, l: L, p: &SurfacePoint<L>, normal: Vec3<L>) -> Vec3<L> {
+        let gradient = SurfaceGradient::new(p.dx, p.dy, normal);
         if let Some(map) = self.normal {
-            let texel = map.sample(l, &footprint).rgb();
+            let texel = map.sample(l, &p.footprint).rgb();
             // 128 is zero, as painters of normal maps have it; 255 is one.
             let m = texel * (255.0 / 127.0) - l.vec3([128.0 / 127.0; 3]);
-            return match f.tangent() {
-                Some(tangent) if self.has_tangents => {
-                    let bitangent = interpolated.cross(tangent.xyz()) * tangent.w;
-                    ((tangent.xyz() * m.x + bitangent * m.y) + interpolated * m.z).normalize()
-                }
-                _ => gradient.by_normal_map(&footprint.placed(l, map), normal, m),
-            };
+            if !self.has_tangents {
+                return gradient.by_normal_map(&p.footprint.placed(l, map), normal, m);
+            }
+            let tangent = p.tangent.xyz();
+            let bitangent = p.normal.cross(tangent) * p.tangent.w;
+            return ((tangent * m.x + bitangent * m.y) + p.normal * m.z).normalize();
         }
         match self.bump {
-            Some(map) => gradient.by_height(l, map, &footprint, normal),
+            Some(map) => gradient.by_height(l, map, &p.footprint, normal),
             None => normal,
         }
     }

@@ -5,7 +5,7 @@
 
 use super::blinn_phong::BlinnPhong;
 use super::vertex::{Attributes, Layout};
-use crate::render::material::{Coverage, Slot};
+use crate::render::material::Slot;
 use crate::render::shader_kind::ShaderKind;
 use trigon::lanes::{F32, Lanes, Mask, Rgba, U32, Vec3};
 use trigon::math::srgb8_to_linear;
@@ -37,7 +37,7 @@ impl<A: Layout> Overlay<'_, A> {
     #[inline(always)]
     fn mip_level<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Vec3<L> {
         let point = self.base.point(l, f);
-        let facing = 0.35 + 0.65 * point.normal.dot(point.to_eye).saturate();
+        let facing = 0.35 + 0.65 * self.base.normal(l, &point).dot(point.to_eye).saturate();
         let Some(map) = self.base.surface.maps.iter().find(|map| map.slot == Slot::Diffuse) else {
             return l.vec3([0.6; 3]) * facing;
         };
@@ -56,7 +56,7 @@ impl<A: Layout> Overlay<'_, A> {
     fn value<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Vec3<L> {
         let one = l.f32(1.0);
         match self.kind {
-            ShaderKind::Normal => self.base.point(l, f).normal * 0.5 + l.vec3([0.5; 3]),
+            ShaderKind::Normal => self.base.normal(l, &self.base.point(l, f)) * 0.5 + l.vec3([0.5; 3]),
             ShaderKind::Depth => {
                 let [x, y, z, offset] = self.base.frame.depth_axis;
                 let t = (f.position().dot(l.vec3([x, y, z])) + l.f32(offset)).saturate();
@@ -117,11 +117,11 @@ impl<A: Layout> Shader for Overlay<'_, A> {
 
     #[inline(always)]
     fn keep<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Mask<L> {
-        self.base.is_kept(l, f)
+        self.base.keep(l, f)
     }
 
     fn discards(&self) -> bool {
-        self.base.surface.coverage == Coverage::CutOut
+        self.base.discards()
     }
 
     #[inline(always)]

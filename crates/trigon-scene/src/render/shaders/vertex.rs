@@ -45,13 +45,13 @@ pub(in crate::render) trait Layout: Send + Sync + 'static {
     fn fetch<L: Lanes>(l: L, mesh: &MeshView<'_>, index: U32<L>) -> Self::Varying<L>;
 }
 
-/// Reads attributes of any layout; those that a layout lacks are `None`.
+/// Reads attributes of any layout; where a layout lacks them, colours are white and tangents zero.
 pub(in crate::render) trait Attributes<L: Lanes>: Copy {
     fn position(&self) -> Vec3<L>;
     fn normal(&self) -> Vec3<L>;
     fn uv(&self) -> Vec2<L>;
-    fn color(&self) -> Option<Vec4<L>>;
-    fn tangent(&self) -> Option<Vec4<L>>;
+    fn color(&self, l: L) -> Vec4<L>;
+    fn tangent(&self, l: L) -> Vec4<L>;
 }
 
 /// Positions, normals, uv.
@@ -156,12 +156,12 @@ impl<L: Lanes> Attributes<L> for PlainVarying<L> {
         self.uv
     }
     #[inline(always)]
-    fn color(&self) -> Option<Vec4<L>> {
-        None
+    fn color(&self, l: L) -> Vec4<L> {
+        l.vec4([1.0; 4])
     }
     #[inline(always)]
-    fn tangent(&self) -> Option<Vec4<L>> {
-        None
+    fn tangent(&self, l: L) -> Vec4<L> {
+        l.vec4([0.0; 4])
     }
 }
 
@@ -179,11 +179,11 @@ impl<L: Lanes> Attributes<L> for FullVarying<L> {
         self.uv
     }
     #[inline(always)]
-    fn color(&self) -> Option<Vec4<L>> {
-        Some(self.color)
+    fn color(&self, _: L) -> Vec4<L> {
+        self.color
     }
     #[inline(always)]
-    fn tangent(&self) -> Option<Vec4<L>> {
-        Some(self.tangent)
+    fn tangent(&self, _: L) -> Vec4<L> {
+        self.tangent
     }
 }
