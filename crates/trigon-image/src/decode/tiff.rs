@@ -1,8 +1,10 @@
 //! TIFF files to pixels: the first picture; grey, RGB, palette and CMYK, 1 to 16 bits or floating point, strips or tiles.
 //!
 //! The `tiff` crate undoes compression and prediction; here samples become RGBA. Integers are taken as sRGB-encoded,
-//! floating point as linear, as in other formats. JPEG inside TIFF is not read, nor channels in separate planes.
+//! floating point as linear, as in other formats. The crate knows no palettes, so indices are read as if they were grey
+//! and looked up here. JPEG inside TIFF is not read, nor channels in separate planes.
 
+use std::borrow::Cow;
 use std::io::Cursor;
 
 use tiff::decoder::{Decoder, DecodingResult};
@@ -16,7 +18,9 @@ use crate::{DecodeError, Format, Limits, Rgba8Image, Rgba16Image, RgbaF32Image, 
 type TiffDecoder<'a> = Decoder<Cursor<&'a [u8]>>;
 
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<DecodedImage, DecodeError> {
-    let decoder = Decoder::new(Cursor::new(bytes)).map_err(convert_error)?;
+    let without_palette = indices_as_gray(bytes);
+    let has_palette = matches!(without_palette, Cow::Owned(_));
+    let decoder = Decoder::new(Cursor::new(&*without_palette)).map_err(convert_error)?;
     let mut decoder = decoder.with_limits(library_limits(limits));
     let (width, height) = decoder.dimensions().map_err(convert_error)?;
     let color = decoder.colortype().map_err(convert_error)?;
@@ -33,7 +37,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<DecodedImage, Deco
         return Err(DecodeError::unsupported(Format::Tiff, "channels in separate planes"));
     }
 
-    let model = Model::of(color)?;
+    let model = if has_palette { Model::Palette } else { Model::of(color)? };
     let wrong_size = |error: SizeMismatch| DecodeError::malformed_somewhere(Format::Tiff, error.to_string());
     match samples {
         DecodingResult::U8(samples) => {
@@ -70,6 +74,31 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<DecodedImage, Deco
     }
 }
 
+const GRAY: u16 = 1;
+const PALETTE: u16 = 3;
+
+/// The file, changed to say that its pixels are grey if it says that they are palette indices.
+fn indices_as_gray(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let is_little_endian = bytes.starts_with(b"II");
+    let u16_at = |offset: usize| -> Option<u16> {
+        let value = *bytes.get(offset..)?.first_chunk()?;
+        Some(if is_little_endian { u16::from_le_bytes(value) } else { u16::from_be_bytes(value) })
+    };
+    let find = || -> Option<usize> {
+        let value = *bytes.get(4..)?.first_chunk()?;
+        let directory = if is_little_endian { u32::from_le_bytes(value) } else { u32::from_be_bytes(value) } as usize;
+        // Entries of 12 bytes: tag, type, number of values, and the value itself.
+        let entries = (0..usize::from(u16_at(directory)?)).map(|i| directory.saturating_add(2 + i * 12));
+        let photometric = Tag::PhotometricInterpretation.to_u16();
+        let value = entries.into_iter().find(|&entry| u16_at(entry) == Some(photometric))? + 8;
+        (u16_at(value) == Some(PALETTE)).then_some(value)
+    };
+    let Some(value) = find() else { return Cow::Borrowed(bytes) };
+    let mut changed = bytes.to_vec();
+    changed[value..value + 2].copy_from_slice(&if is_little_endian { GRAY.to_le_bytes() } else { GRAY.to_be_bytes() });
+    Cow::Owned(changed)
+}
+
 /// What the samples of a pixel are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Model {
@@ -90,7 +119,6 @@ impl Model {
             ColorType::RGB(_) => Ok(Self::Rgb),
             ColorType::RGBA(_) => Ok(Self::Rgba),
             ColorType::CMYK(_) => Ok(Self::Cmyk),
-            ColorType::Palette(_) => Ok(Self::Palette),
             other => Err(DecodeError::unsupported(Format::Tiff, format!("pixels of type {other:?}"))),
         }
     }
@@ -302,10 +330,13 @@ mod tests {
 
     #[test]
     fn palettes_are_looked_up() {
-        let mut file = tiff((2, 1), 8, 1, 3, &[1, 255]);
+        let mut file = tiff((2, 1), 8, 1, PALETTE, &[1, 255]);
         let map = (0..3 * 256).map(|i| if i % 256 == 1 { [10, 20, 30][i / 256] * 257 } else { 65535 }).collect();
         file.extra.push((320, map));
         assert_eq!(file.pixels(), [[10, 20, 30, 255], [255, 255, 255, 255]]);
+        let packed = Tiff { body: vec![0x10, 0x10], extra: file.extra.clone(), ..tiff((3, 1), 4, 1, PALETTE, &[]) };
+        assert_eq!(packed.pixels()[0], [10, 20, 30, 255]);
+        assert_eq!(packed.pixels()[1], packed.pixels()[0].map(|_| 255));
         file.extra[0].1.truncate(3);
         let error = decode(&file.bytes(), &Limits::default()).unwrap_err().to_string();
         assert!(error.contains("not in the color map of 1 colors"), "{error}");

@@ -86,14 +86,7 @@ impl PaletteMapper {
             let length = square(way[0]) + square(way[1]) + square(way[2]);
             let towards = offset[0] * way[0] + offset[1] * way[1] + offset[2] * way[2];
             // How far along the way the color lies; at most half, or the other would be the nearest.
-            let ratio = towards / length.max(1.0);
-            let of_far = if ratio < 0.0 {
-                0.0
-            } else if ratio > 0.5 {
-                0.5
-            } else {
-                ratio
-            };
+            let of_far = (towards / length.max(1.0)).clamp(0.0, 0.5);
             let error_of_mean = distance - 2.0 * of_far * towards + of_far * of_far * length;
             let error_of_mean = if error_of_mean > 0.0 { error_of_mean } else { 0.0 };
             Share { of_far, error: error_of_mean + COARSENESS * of_far * (1.0 - of_far) * length }
