@@ -3,6 +3,8 @@
 //! OBJ and PLY state no colour space; the programs that write vertex colours (scanners, sculpting tools, MeshLab,
 //! Blender) write display values, so they are decoded as sRGB (IEC 61966-2-1). Alpha is linear already.
 
+use trigon_image::color::{srgb_decode, srgb_to_linear};
+
 /// Red, green, blue and alpha as written, times `scale`, to linear light. What is not finite becomes white.
 pub(crate) fn linear_from_srgb([r, g, b, a]: [f32; 4], scale: f32) -> [f32; 4] {
     let decode = |c: f32| if c.is_finite() { decode_srgb(c * scale) } else { 1.0 };
@@ -10,11 +12,16 @@ pub(crate) fn linear_from_srgb([r, g, b, a]: [f32; 4], scale: f32) -> [f32; 4] {
 }
 
 fn decode_srgb(encoded: f32) -> f32 {
-    let encoded = f64::from(encoded.clamp(0.0, 1.0));
-    let linear = if encoded <= 0.040_45 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) };
+    let encoded = encoded.clamp(0.0, 1.0);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within 0 to 255 by the clamp")]
+    let code = (encoded * 255.0 + 0.5) as u8;
+    // Nearly all files hold 8-bit values, for which there is a table.
+    if (encoded * 255.0 - f32::from(code)).abs() < 1e-4 {
+        return srgb_to_linear(code);
+    }
     #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
     {
-        linear as f32
+        srgb_decode(f64::from(encoded)) as f32
     }
 }
 

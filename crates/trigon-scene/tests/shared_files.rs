@@ -1,6 +1,8 @@
 //! Every model file of the shared test data loads or fails with a clear error: no panic, hang or memory blow-up.
 //! `cargo test -p trigon-scene --test shared_files -- --nocapture` prints the table of outcomes.
 
+#![expect(clippy::print_stdout, reason = "the table of outcomes")]
+
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use trigon_scene::load::{LoadOptions, load_path};

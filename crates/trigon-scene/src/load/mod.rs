@@ -1,4 +1,16 @@
 //! Loading files into scenes: format recognition, side files, limits, errors and warnings.
+//!
+//! ```
+//! use trigon_scene::load::{LoadOptions, load_bytes};
+//!
+//! let obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+//! let loaded = load_bytes("triangle.obj", obj, &LoadOptions::default())?;
+//! assert_eq!(loaded.scene.triangle_count(), 1);
+//! assert_eq!(loaded.scene.meshes[0].normals[0], [0.0, 0.0, 1.0]);
+//! assert_eq!(loaded.warnings[0].to_string(), "triangle.obj:4: material red is not defined; a neutral one used");
+//! # Ok::<(), trigon_scene::load::LoadError>(())
+//! ```
+#![doc = include_str!("../../FORMATS.md")]
 
 mod entry;
 mod error;

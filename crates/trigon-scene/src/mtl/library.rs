@@ -5,6 +5,7 @@ use super::statement::Draft;
 use crate::load::{Findings, LoadError, Place, SideFiles, WarningKind};
 use crate::scene::{Material, TextureRef};
 use crate::text::{Cursor, decode_name, to_single_byte_text};
+use std::collections::HashSet;
 
 /// What reading a library needs from the load it is part of.
 pub(crate) struct Context<'a, 'r> {
@@ -12,10 +13,12 @@ pub(crate) struct Context<'a, 'r> {
     pub(crate) findings: &'a mut Findings,
     pub(crate) skip_textures: bool,
     pub(crate) max_materials: u64,
+    /// The largest library file.
+    pub(crate) max_bytes: u64,
 }
 
-/// Reads the library `bytes` found at path `file`. A name that is defined twice keeps its place and takes the later
-/// definition.
+/// Reads the library `bytes` found at path `file`. Textures are read only for materials whose name is `used`. A name
+/// that is defined twice keeps its place and takes the later definition.
 ///
 /// # Errors
 ///
@@ -23,11 +26,12 @@ pub(crate) struct Context<'a, 'r> {
 pub(crate) fn read_library(
     bytes: &[u8],
     file: &str,
+    used: &HashSet<String>,
     context: &mut Context<'_, '_>,
 ) -> Result<Vec<Material>, LoadError> {
     let text = to_single_byte_text(bytes);
     let mut cursor = Cursor::new(&text);
-    let mut reader = Reader { file, context, materials: Vec::new(), draft: None, ignored: Vec::new() };
+    let mut reader = Reader { file, used, context, materials: Vec::new(), draft: None, ignored: Vec::new() };
     while !cursor.is_at_end() {
         cursor.skip_blanks();
         if cursor.peek() == b'#' {
@@ -47,6 +51,7 @@ pub(crate) fn read_library(
 
 struct Reader<'t, 'a, 'r> {
     file: &'t str,
+    used: &'t HashSet<String>,
     context: &'t mut Context<'a, 'r>,
     materials: Vec<Material>,
     draft: Option<Draft>,
@@ -89,7 +94,8 @@ impl Reader<'_, '_, '_> {
             let message = format!("texture option {} ignored", decode_name(option.get(..40).unwrap_or(option)));
             self.warn(line, WarningKind::Ignored, message)?;
         }
-        if self.context.skip_textures {
+        let is_used = self.draft.as_ref().is_some_and(|draft| self.used.contains(draft.name()));
+        if self.context.skip_textures || !is_used {
             return Ok(());
         }
         if statement.file.is_empty() {
@@ -143,9 +149,15 @@ mod tests {
         let resolver = MemoryResolver::new().with("lib/wood 1.png", "w").with("lib/n.tga", "n");
         let mut side_files = SideFiles::new(&resolver, &Limits::default());
         let mut findings = Findings::new(false);
-        let mut context =
-            Context { side_files: &mut side_files, findings: &mut findings, skip_textures: false, max_materials: 100 };
-        let materials = read_library(text.as_bytes(), "lib/a.mtl", &mut context).unwrap();
+        let mut context = Context {
+            side_files: &mut side_files,
+            findings: &mut findings,
+            skip_textures: false,
+            max_materials: 100,
+            max_bytes: 1 << 20,
+        };
+        let used = HashSet::from(["a", "a b", ""].map(str::to_owned));
+        let materials = read_library(text.as_bytes(), "lib/a.mtl", &used, &mut context).unwrap();
         let warnings = findings.into_warnings("a.mtl").iter().map(ToString::to_string).collect();
         (materials, side_files.into_textures(), warnings)
     }
@@ -170,8 +182,10 @@ mod tests {
 
     #[test]
     fn maps_are_found_and_missing_ones_reported_with_their_line() {
-        let (materials, textures, warnings) =
-            read("newmtl a\nmap_kd -s 2 2 .\\wood 1.png\nMAP_BUMP -bm 0.5 n.tga\nnorm n.tga\nmap_Ks gone.png\n");
+        let (materials, textures, warnings) = read(
+            "newmtl a\nmap_kd -s 2 2 .\\wood 1.png\nMAP_BUMP -bm 0.5 n.tga\nnorm n.tga\nmap_Ks gone.png\n\
+             newmtl unused\nmap_Kd elsewhere.png\n",
+        );
         let maps = &materials[0].maps;
         assert_eq!(textures.len(), 2);
         assert_eq!(maps.diffuse.as_ref().unwrap().options.scale, [2.0, 2.0, 1.0]);

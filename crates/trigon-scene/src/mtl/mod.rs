@@ -2,7 +2,7 @@
 //!
 //! Source: "MTL material format (Lightwave, OBJ)", Alias|Wavefront 1995, and the physically based extension (`Pr Pm Ps
 //! Pc Pcr aniso anisor norm`). Keywords are recognized in any letter case. What happens to odd files is in
-//! `docs/models.md` of the project.
+//! `FORMATS.md`.
 
 mod library;
 mod map_statement;

@@ -31,6 +31,10 @@ impl Draft {
         }
     }
 
+    pub(super) fn name(&self) -> &str {
+        &self.material.name
+    }
+
     /// Reads a statement that sets a value; `None` if `key` (lower case) is none. An error says what is wrong with it
     /// and what stands in.
     pub(super) fn value(&mut self, key: &[u8], arguments: &[u8]) -> Option<Result<(), String>> {

@@ -6,10 +6,11 @@
 //! vertex of each distinct (position, uv, normal) triple, in order of first use ([`crate::geometry`]).
 //! Blocks have a fixed size, so nothing depends on the number of threads.
 //!
-//! What is read, and what happens to odd files, is in `docs/models.md` of the project.
+//! What is read, and what happens to odd files, is in `FORMATS.md`.
 
 mod block;
 mod element;
+mod library;
 mod reader;
 mod resolve;
 mod runs;

@@ -2,6 +2,7 @@
 
 use super::block::{Block, EventKind, shorten, why_ignored};
 use super::element::MAX_ELEMENTS;
+use super::library::Library;
 use super::resolve::{Counts, Primitives, Usage, resolve_block};
 use super::runs::Runs;
 use super::split::{BLOCK_BYTES, split};
@@ -9,9 +10,8 @@ use crate::geometry::{ABSENT, Corner, Smoothing, Unifier, gather, generate_norma
 use crate::load::{Findings, LoadError, LoadOptions, Place, SideFiles, WarningKind, parallel_map};
 use crate::math::Mat4;
 use crate::mtl;
-use crate::scene::{Instance, Material, MaterialId, Mesh, MeshId, Scene};
-use crate::text::{decode_name, to_single_byte_text};
-use std::collections::HashMap;
+use crate::scene::{Instance, MaterialId, Mesh, MeshId, Scene};
+use crate::text::to_single_byte_text;
 
 /// Reads an OBJ file: one mesh, one instance, and the materials in use.
 pub(crate) fn read(
@@ -29,16 +29,22 @@ pub(crate) fn read(
 
     let lines_before = lines_before(&blocks);
     report(&blocks, &lines_before, file, findings)?;
-    let mut library = Library::default();
-    for (block, &lines) in blocks.iter().map(|(block, _)| block).zip(&lines_before) {
-        for event in block.events.iter().filter(|event| event.kind == EventKind::Library) {
-            let line = lines + u64::from(event.line) + 1;
-            library.load(event.name, file, line, options, side_files, findings)?;
-        }
-    }
     show_bare_points(&mut blocks, attributes.positions.len());
     let runs = runs(&blocks, &lines_before);
-    let (materials, ids) = library.pick(&runs, file, findings)?;
+    let mut library = Library::new(file, &runs);
+    let mut context = mtl::Context {
+        side_files,
+        findings,
+        skip_textures: options.skip_textures,
+        max_materials: options.limits.materials,
+        max_bytes: options.limits.file_bytes,
+    };
+    for (block, &lines) in blocks.iter().map(|(block, _)| block).zip(&lines_before) {
+        for event in block.events.iter().filter(|event| event.kind == EventKind::Library) {
+            library.load(event.name, lines + u64::from(event.line) + 1, &mut context)?;
+        }
+    }
+    let (materials, ids) = library.pick(&runs, findings)?;
 
     let mut primitives: Vec<Primitives> = blocks.into_iter().map(|(_, primitives)| primitives).collect();
     add_normals(&mut primitives, &mut attributes, &runs, options);
@@ -185,133 +191,6 @@ fn runs<'a>(blocks: &[(Block<'a>, Primitives)], lines_before: &[u64]) -> Runs<'a
     }
     runs.primitives_until(base);
     runs
-}
-
-/// The materials of all libraries of a file.
-#[derive(Default)]
-struct Library {
-    materials: Vec<Material>,
-    ids: HashMap<String, usize>,
-    /// Paths read, so that each is read once.
-    loaded: Vec<String>,
-    /// Whether a library is missing, which explains missing materials.
-    is_incomplete: bool,
-}
-
-impl Library {
-    /// The most libraries of one file.
-    const MAX_FILES: usize = 256;
-
-    /// Loads what a `mtllib` statement names: one file whose name may hold blanks, or several.
-    fn load(
-        &mut self,
-        names: &[u8],
-        file: &str,
-        line: u64,
-        options: &LoadOptions,
-        side_files: &mut SideFiles<'_>,
-        findings: &mut Findings,
-    ) -> Result<(), LoadError> {
-        for name in library_names(names, side_files) {
-            let Some(found) = side_files.find(name, "") else {
-                self.is_incomplete = true;
-                let message = format!("material library {} not found; neutral materials used", decode_name(name));
-                findings.warn(file, Place::Line(line), WarningKind::MissingFile, message)?;
-                continue;
-            };
-            if self.loaded.contains(&found) || self.loaded.len() >= Self::MAX_FILES {
-                continue;
-            }
-            match side_files.read(&found, options.limits.file_bytes) {
-                Ok(bytes) => self.add(&bytes, &found, options, side_files, findings)?,
-                Err(problem) => {
-                    self.is_incomplete = true;
-                    findings.warn(file, Place::Line(line), problem.kind, problem.message)?;
-                }
-            }
-            self.loaded.push(found);
-        }
-        Ok(())
-    }
-
-    fn add(
-        &mut self,
-        bytes: &[u8],
-        found: &str,
-        options: &LoadOptions,
-        side_files: &mut SideFiles<'_>,
-        findings: &mut Findings,
-    ) -> Result<(), LoadError> {
-        let mut context = mtl::Context {
-            side_files,
-            findings,
-            skip_textures: options.skip_textures,
-            max_materials: options.limits.materials,
-        };
-        for material in mtl::read_library(bytes, found, &mut context)? {
-            // The first library that defines a name wins.
-            if !self.ids.contains_key(&material.name) {
-                self.ids.insert(material.name.clone(), self.materials.len());
-                self.materials.push(material);
-            }
-        }
-        if u64::try_from(self.materials.len()).unwrap_or(u64::MAX) > options.limits.materials {
-            return Err(LoadError::limit(found, "materials", options.limits.materials));
-        }
-        Ok(())
-    }
-
-    /// The materials in use and their ids, in order of first use; neutral ones for those that are not defined.
-    fn pick(
-        &self,
-        runs: &Runs<'_>,
-        file: &str,
-        findings: &mut Findings,
-    ) -> Result<(Vec<Material>, Vec<MaterialId>), LoadError> {
-        let mut materials = Vec::new();
-        let mut ids = Vec::new();
-        for (name, line) in runs.materials() {
-            ids.push(MaterialId(u32::try_from(materials.len()).unwrap_or(u32::MAX)));
-            let Some(name) = name else {
-                materials.push(Material::default());
-                continue;
-            };
-            let name = decode_name(name).into_owned();
-            if let Some(&id) = self.ids.get(&name) {
-                materials.push(self.materials[id].clone());
-                continue;
-            }
-            if !self.is_incomplete && !name.is_empty() {
-                let message = format!("material {name} is not defined; a neutral one used");
-                findings.warn(file, Place::Line(line + 1), WarningKind::MissingMaterial, message)?;
-            }
-            materials.push(Material { name, ..Material::default() });
-        }
-        Ok((materials, ids))
-    }
-}
-
-/// The files a `mtllib` statement names. The statement separates files by blanks, and names hold blanks too: the whole
-/// is one name if there is such a file or if it has only one extension; else words are joined up to the next `.mtl`.
-fn library_names<'a>(names: &'a [u8], side_files: &SideFiles<'_>) -> Vec<&'a [u8]> {
-    let is_blank = |b: &u8| b.is_ascii_whitespace();
-    if !names.iter().any(is_blank) || side_files.find(names, "").is_some() {
-        return vec![names];
-    }
-    let mut split = Vec::new();
-    let mut start = 0;
-    for end in (1..=names.len()).filter(|&end| end == names.len() || is_blank(&names[end])) {
-        let name = names[start..end].trim_ascii();
-        let has_extension = name.len() > 4 && name[name.len() - 4..].eq_ignore_ascii_case(b".mtl");
-        if !name.is_empty() && (has_extension || end == names.len()) {
-            split.push(name);
-            start = end;
-        }
-        if split.len() >= Library::MAX_FILES {
-            break;
-        }
-    }
-    split
 }
 
 /// Generates normals for corners that have none.

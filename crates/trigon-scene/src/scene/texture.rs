@@ -4,8 +4,11 @@
 //! [`Texture`], however many materials name it; what differs per use are the [`TextureOptions`].
 
 use super::TextureId;
+use crate::load::parallel_map;
 use std::fmt;
+use std::num::NonZeroUsize;
 use std::sync::Arc;
+use trigon_image::{DecodeError, DecodedImage, Format, Limits};
 
 /// An encoded picture and its name.
 #[derive(Clone)]
@@ -21,6 +24,27 @@ impl Texture {
     #[must_use]
     pub fn new(name: impl Into<String>, encoded: impl Into<Arc<[u8]>>) -> Self {
         Self { name: name.into(), encoded: encoded.into() }
+    }
+}
+
+impl Texture {
+    /// The picture.
+    ///
+    /// # Errors
+    ///
+    /// The file is damaged, of no known format, or larger than `limits`.
+    pub fn decode(&self, limits: &Limits) -> Result<DecodedImage, DecodeError> {
+        trigon_image::decode(&self.encoded, Format::from_name(&self.name), limits)
+    }
+
+    /// All pictures, decoded on up to `threads` threads; results in order.
+    #[must_use]
+    pub fn decode_all(
+        textures: &[Self],
+        limits: &Limits,
+        threads: NonZeroUsize,
+    ) -> Vec<Result<DecodedImage, DecodeError>> {
+        parallel_map(threads.get(), textures.iter().collect(), |_, texture| texture.decode(limits))
     }
 }
 

@@ -193,10 +193,11 @@ impl<'a> Cursor<'a> {
             exponent += self.exponent();
         }
         // Nineteen digits always fit 64 bits.
-        if n_digits >= 1 && n_digits <= 19 && self.is_token_end() {
-            if let Some(value) = float::nearest_f32(digits, exponent) {
-                return Ok(Some(if negative { -value } else { value }));
-            }
+        if (1..=19).contains(&n_digits)
+            && self.is_token_end()
+            && let Some(value) = float::nearest_f32(digits, exponent)
+        {
+            return Ok(Some(if negative { -value } else { value }));
         }
         self.at = start;
         self.unusual_float()
