@@ -1,1 +1,5 @@
-//! Whole-frame, golden and black-box tests of trigon.
+//! Helpers of the whole-frame tests: seeded random numbers, a shader of plain clip positions, hashes.
+
+pub mod frames;
+pub mod random;
+pub mod shaders;

@@ -3,6 +3,7 @@
 //! Every operation here rounds once, to nearest even, or not at all, on every target (IEEE 754-2019, section 5.4);
 //! minimum, maximum and conversion to integers are defined as comparisons, so that NaN and -0 behave alike too.
 
+use super::token::is_plain;
 use super::{I32, LANES, Lanes, Mask, U32};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use fearless_simd::{Bytes, SimdBase, SimdFloat, f32x16};
@@ -33,25 +34,25 @@ impl<L: Lanes> F32<L> {
     /// Clears the sign.
     #[inline(always)]
     pub fn abs(self) -> Self {
-        Self(self.0.abs())
+        if is_plain(self.token()) { plain::abs(self) } else { Self(self.0.abs()) }
     }
 
     /// The square root, correctly rounded; NaN for negative values.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        Self(self.0.sqrt())
+        if is_plain(self.token()) { plain::sqrt(self) } else { Self(self.0.sqrt()) }
     }
 
     /// The largest integer not above.
     #[inline(always)]
     pub fn floor(self) -> Self {
-        Self(self.0.floor())
+        if is_plain(self.token()) { plain::floor(self) } else { Self(self.0.floor()) }
     }
 
     /// The nearest integer; halves go to the even one.
     #[inline(always)]
     pub fn round_ties_even(self) -> Self {
-        Self(self.0.round_ties_even())
+        if is_plain(self.token()) { plain::round_ties_even(self) } else { Self(self.0.round_ties_even()) }
     }
 
     /// `self < other ? self : other`; so `other` where either is NaN.
@@ -101,31 +102,36 @@ impl<L: Lanes> F32<L> {
     /// Per lane `self < other`; false where either is NaN.
     #[inline(always)]
     pub fn lt(self, other: impl IntoF32<L>) -> Mask<L> {
-        Mask(self.0.simd_lt(other.into_f32(self.token()).0))
+        let other = other.into_f32(self.token());
+        if is_plain(self.token()) { plain::lt(self, other) } else { Mask(self.0.simd_lt(other.0)) }
     }
 
     /// Per lane `self <= other`; false where either is NaN.
     #[inline(always)]
     pub fn le(self, other: impl IntoF32<L>) -> Mask<L> {
-        Mask(self.0.simd_le(other.into_f32(self.token()).0))
+        let other = other.into_f32(self.token());
+        if is_plain(self.token()) { plain::le(self, other) } else { Mask(self.0.simd_le(other.0)) }
     }
 
     /// Per lane `self > other`; false where either is NaN.
     #[inline(always)]
     pub fn gt(self, other: impl IntoF32<L>) -> Mask<L> {
-        Mask(self.0.simd_gt(other.into_f32(self.token()).0))
+        let other = other.into_f32(self.token());
+        if is_plain(self.token()) { plain::gt(self, other) } else { Mask(self.0.simd_gt(other.0)) }
     }
 
     /// Per lane `self >= other`; false where either is NaN.
     #[inline(always)]
     pub fn ge(self, other: impl IntoF32<L>) -> Mask<L> {
-        Mask(self.0.simd_ge(other.into_f32(self.token()).0))
+        let other = other.into_f32(self.token());
+        if is_plain(self.token()) { plain::ge(self, other) } else { Mask(self.0.simd_ge(other.0)) }
     }
 
     /// Per lane `self == other`; false where either is NaN.
     #[inline(always)]
     pub fn eq(self, other: impl IntoF32<L>) -> Mask<L> {
-        Mask(self.0.simd_eq(other.into_f32(self.token()).0))
+        let other = other.into_f32(self.token());
+        if is_plain(self.token()) { plain::eq(self, other) } else { Mask(self.0.simd_eq(other.0)) }
     }
 
     /// `self + t * (other - self)`: `self` at 0.
@@ -148,6 +154,40 @@ impl<L: Lanes> F32<L> {
             }
         }
         a[0]
+    }
+}
+
+/// The plain level's operations, as functions: inlined, sixteen scalar operations each, they would make its kernels
+/// the slowest of all to compile.
+mod plain {
+    use super::{F32, Lanes, Mask};
+    use fearless_simd::{SimdBase, SimdFloat};
+
+    macro_rules! functions {
+        ($($name:ident($($arg:ident),+) -> $out:ident = $body:expr;)+) => {
+            $(
+                #[inline(never)]
+                pub(super) fn $name<L: Lanes>($($arg: F32<L>),+) -> $out<L> {
+                    $out($body)
+                }
+            )+
+        };
+    }
+
+    functions! {
+        add(a, b) -> F32 = a.0 + b.0;
+        sub(a, b) -> F32 = a.0 - b.0;
+        mul(a, b) -> F32 = a.0 * b.0;
+        div(a, b) -> F32 = a.0 / b.0;
+        sqrt(a) -> F32 = a.0.sqrt();
+        floor(a) -> F32 = a.0.floor();
+        round_ties_even(a) -> F32 = a.0.round_ties_even();
+        abs(a) -> F32 = a.0.abs();
+        lt(a, b) -> Mask = a.0.simd_lt(b.0);
+        le(a, b) -> Mask = a.0.simd_le(b.0);
+        gt(a, b) -> Mask = a.0.simd_gt(b.0);
+        ge(a, b) -> Mask = a.0.simd_ge(b.0);
+        eq(a, b) -> Mask = a.0.simd_eq(b.0);
     }
 }
 
@@ -184,7 +224,7 @@ macro_rules! operator {
             type Output = Self;
             #[inline(always)]
             fn $method(self, rhs: Self) -> Self {
-                Self(self.0 $symbol rhs.0)
+                if is_plain(self.token()) { plain::$method(self, rhs) } else { Self(self.0 $symbol rhs.0) }
             }
         }
 
@@ -192,7 +232,7 @@ macro_rules! operator {
             type Output = Self;
             #[inline(always)]
             fn $method(self, rhs: f32) -> Self {
-                Self(self.0 $symbol self.token().f32(rhs).0)
+                $trait::$method(self, self.token().f32(rhs))
             }
         }
 
@@ -200,7 +240,7 @@ macro_rules! operator {
             type Output = F32<L>;
             #[inline(always)]
             fn $method(self, rhs: F32<L>) -> F32<L> {
-                F32(rhs.token().f32(self).0 $symbol rhs.0)
+                $trait::$method(rhs.token().f32(self), rhs)
             }
         }
     };

@@ -39,38 +39,47 @@ pub(crate) fn fetch<T: Zero>(slice: &[T], index: u32) -> T {
     }
 }
 
+/// One element per index. A function of its own: sixteen loads and checks, inlined at every gather of every kernel,
+/// are most of what a compiler has to work through, and the call costs little beside them.
+#[inline(never)]
+fn fetch_all<T: Zero>(slice: &[T], indices: &[u32; LANES]) -> [T; LANES] {
+    let mut out = [T::ZERO; LANES];
+    for (out, index) in out.iter_mut().zip(indices) {
+        *out = fetch(slice, *index);
+    }
+    out
+}
+
+/// One element per index, by component.
+#[inline(never)]
+fn fetch_components<const N: usize>(slice: &[[f32; N]], indices: &[u32; LANES]) -> [[f32; LANES]; N] {
+    let mut out = [[0.0; LANES]; N];
+    for (i, index) in indices.iter().enumerate() {
+        let element = fetch(slice, *index);
+        for c in 0..N {
+            out[c][i] = element[c];
+        }
+    }
+    out
+}
+
 impl<L: Lanes> U32<L> {
     /// One float of `slice` per lane.
     #[inline(always)]
     pub fn gather_f32(self, slice: &[f32]) -> F32<L> {
-        let indices = self.to_array();
-        let mut out = [0.0; LANES];
-        for i in 0..LANES {
-            out[i] = fetch(slice, indices[i]);
-        }
-        self.token().f32_array(&out)
+        self.token().f32_array(&fetch_all(slice, &self.to_array()))
     }
 
     /// One integer of `slice` per lane.
     #[inline(always)]
     pub fn gather_u32(self, slice: &[u32]) -> U32<L> {
-        let indices = self.to_array();
-        let mut out = [0; LANES];
-        for i in 0..LANES {
-            out[i] = fetch(slice, indices[i]);
-        }
-        self.token().u32_array(&out)
+        self.token().u32_array(&fetch_all(slice, &self.to_array()))
     }
 
     /// One integer of `slice` per lane.
     #[inline(always)]
     pub fn gather_i32(self, slice: &[i32]) -> I32<L> {
-        let indices = self.to_array();
-        let mut out = [0; LANES];
-        for i in 0..LANES {
-            out[i] = fetch(slice, indices[i]);
-        }
-        self.token().i32_array(&out)
+        self.token().i32_array(&fetch_all(slice, &self.to_array()))
     }
 
     /// One pair of `slice` per lane.
@@ -96,17 +105,10 @@ impl<L: Lanes> U32<L> {
 
     #[inline(always)]
     fn gather_components<const N: usize>(self, slice: &[[f32; N]]) -> [F32<L>; N] {
-        let indices = self.to_array();
-        let mut out = [[0.0; LANES]; N];
-        for i in 0..LANES {
-            let element = fetch(slice, indices[i]);
-            for c in 0..N {
-                out[c][i] = element[c];
-            }
-        }
+        let components = fetch_components(slice, &self.to_array());
         let mut lanes = [self.token().f32(0.0); N];
         for c in 0..N {
-            lanes[c] = self.token().f32_array(&out[c]);
+            lanes[c] = self.token().f32_array(&components[c]);
         }
         lanes
     }

@@ -1,5 +1,6 @@
 //! Sixteen `i32` or `u32` values; arithmetic wraps on every target.
 
+use super::token::is_plain;
 use super::{F32, LANES, Lanes, Mask};
 use core::ops::{Add, AddAssign, BitAnd, BitOr, BitXor, Mul, Neg, Shl, Shr, Sub};
 use fearless_simd::{Bytes, SimdBase, SimdInt, i32x16, u32x16};
@@ -36,31 +37,51 @@ macro_rules! integer {
             /// The smaller of the two, per lane.
             #[inline(always)]
             pub fn min(self, other: Self) -> Self {
-                Self(self.0.min(other.0))
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> $name<L> {
+                    $name(a.0.min(b.0))
+                }
+                if is_plain(self.token()) { plain(self, other) } else { Self(self.0.min(other.0)) }
             }
 
             /// The larger of the two, per lane.
             #[inline(always)]
             pub fn max(self, other: Self) -> Self {
-                Self(self.0.max(other.0))
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> $name<L> {
+                    $name(a.0.max(b.0))
+                }
+                if is_plain(self.token()) { plain(self, other) } else { Self(self.0.max(other.0)) }
             }
 
             /// Per lane `self < other`.
             #[inline(always)]
             pub fn lt(self, other: Self) -> Mask<L> {
-                Mask(self.0.simd_lt(other.0))
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> Mask<L> {
+                    Mask(a.0.simd_lt(b.0))
+                }
+                if is_plain(self.token()) { plain(self, other) } else { Mask(self.0.simd_lt(other.0)) }
             }
 
             /// Per lane `self >= other`.
             #[inline(always)]
             pub fn ge(self, other: Self) -> Mask<L> {
-                Mask(self.0.simd_ge(other.0))
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> Mask<L> {
+                    Mask(a.0.simd_ge(b.0))
+                }
+                if is_plain(self.token()) { plain(self, other) } else { Mask(self.0.simd_ge(other.0)) }
             }
 
             /// Per lane `self == other`.
             #[inline(always)]
             pub fn eq(self, other: Self) -> Mask<L> {
-                Mask(self.0.simd_eq(other.0))
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> Mask<L> {
+                    Mask(a.0.simd_eq(b.0))
+                }
+                if is_plain(self.token()) { plain(self, other) } else { Mask(self.0.simd_eq(other.0)) }
             }
 
             /// The nearest floats; exact up to 2^24.
@@ -100,7 +121,11 @@ macro_rules! integer {
             type Output = Self;
             #[inline(always)]
             fn shl(self, bits: u32) -> Self {
-                Self(self.0 << bits)
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, bits: u32) -> $name<L> {
+                    $name(a.0 << bits)
+                }
+                if is_plain(self.token()) { plain(self, bits) } else { Self(self.0 << bits) }
             }
         }
 
@@ -108,7 +133,11 @@ macro_rules! integer {
             type Output = Self;
             #[inline(always)]
             fn shr(self, bits: u32) -> Self {
-                Self(self.0 >> bits)
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, bits: u32) -> $name<L> {
+                    $name(a.0 >> bits)
+                }
+                if is_plain(self.token()) { plain(self, bits) } else { Self(self.0 >> bits) }
             }
         }
     };
@@ -117,7 +146,11 @@ macro_rules! integer {
             type Output = Self;
             #[inline(always)]
             fn $method(self, rhs: Self) -> Self {
-                Self(self.0 $symbol rhs.0)
+                #[inline(never)]
+                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> $name<L> {
+                    $name(a.0 $symbol b.0)
+                }
+                if is_plain(self.token()) { plain(self, rhs) } else { Self(self.0 $symbol rhs.0) }
             }
         }
     };

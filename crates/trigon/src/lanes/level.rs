@@ -87,11 +87,11 @@ impl SimdLevel {
     pub(crate) fn to_level(self) -> Option<Level> {
         match self {
             Self::Scalar => Some(Level::fallback()),
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            #[cfg(all(feature = "sse42", any(target_arch = "x86", target_arch = "x86_64")))]
             Self::Sse42 => Level::new().as_sse4_2().map(Level::Sse4_2),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Avx2 => Level::new().as_avx2().map(Level::Avx2),
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            #[cfg(all(feature = "avx512", any(target_arch = "x86", target_arch = "x86_64")))]
             Self::Avx512 => Level::new().as_avx512().map(Level::Avx512),
             #[cfg(target_arch = "aarch64")]
             Self::Neon => Level::new().as_neon().map(Level::Neon),
@@ -143,11 +143,11 @@ impl core::error::Error for SimdError {}
 macro_rules! dispatch {
     ($level:expr, $l:ident => $kernel:expr) => {
         match $level {
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            #[cfg(all(feature = "avx512", any(target_arch = "x86", target_arch = "x86_64")))]
             fearless_simd::Level::Avx512($l) => $crate::lanes::dispatch!(@enter $l => $kernel),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             fearless_simd::Level::Avx2($l) => $crate::lanes::dispatch!(@enter $l => $kernel),
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            #[cfg(all(feature = "sse42", any(target_arch = "x86", target_arch = "x86_64")))]
             fearless_simd::Level::Sse4_2($l) => $crate::lanes::dispatch!(@enter $l => $kernel),
             #[cfg(target_arch = "aarch64")]
             fearless_simd::Level::Neon($l) => $crate::lanes::dispatch!(@enter $l => $kernel),
@@ -162,7 +162,21 @@ macro_rules! dispatch {
     };
 }
 
-pub(crate) use dispatch;
+/// Enters the body of an `#[inline(never)]` function at its caller's level: `outline!(l => body)`.
+///
+/// Such a function is compiled once per level instead of into every caller. Without this its body would lack the
+/// level's CPU features.
+macro_rules! outline {
+    ($l:ident => $body:expr) => {
+        fearless_simd::Simd::vectorize(
+            $l,
+            #[inline(always)]
+            || $body,
+        )
+    };
+}
+
+pub(crate) use {dispatch, outline};
 
 #[cfg(test)]
 mod tests {

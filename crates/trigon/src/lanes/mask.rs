@@ -1,5 +1,6 @@
 //! Truth values per lane: the result of comparisons and the choice between two lane values.
 
+use super::token::is_plain;
 use super::{F32, I32, LANES, Lanes, U32};
 use core::ops::{BitAnd, BitAndAssign, BitOr, BitOrAssign, Not};
 use fearless_simd::{Select, SimdMask, mask32x16};
@@ -13,7 +14,11 @@ impl<L: Lanes> Mask<L> {
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "sixteen lanes give sixteen bits")]
     pub fn bits(self) -> u16 {
-        self.0.to_bitmask() as u16
+        #[inline(never)]
+        fn plain<L: Lanes>(mask: mask32x16<L>) -> u16 {
+            mask.to_bitmask() as u16
+        }
+        if is_plain(fearless_simd::ExtractToken::token(&self.0)) { plain(self.0) } else { self.0.to_bitmask() as u16 }
     }
 
     /// True if any lane is.
@@ -54,21 +59,33 @@ pub trait Selectable<L: Lanes>: Sized {
 impl<L: Lanes> Selectable<L> for F32<L> {
     #[inline(always)]
     fn select(mask: Mask<L>, yes: Self, no: Self) -> Self {
-        F32(mask.0.select(yes.0, no.0))
+        #[inline(never)]
+        fn plain<L: Lanes>(mask: Mask<L>, yes: F32<L>, no: F32<L>) -> F32<L> {
+            F32(mask.0.select(yes.0, no.0))
+        }
+        if is_plain(yes.token()) { plain(mask, yes, no) } else { F32(mask.0.select(yes.0, no.0)) }
     }
 }
 
 impl<L: Lanes> Selectable<L> for I32<L> {
     #[inline(always)]
     fn select(mask: Mask<L>, yes: Self, no: Self) -> Self {
-        I32(mask.0.select(yes.0, no.0))
+        #[inline(never)]
+        fn plain<L: Lanes>(mask: Mask<L>, yes: I32<L>, no: I32<L>) -> I32<L> {
+            I32(mask.0.select(yes.0, no.0))
+        }
+        if is_plain(yes.token()) { plain(mask, yes, no) } else { I32(mask.0.select(yes.0, no.0)) }
     }
 }
 
 impl<L: Lanes> Selectable<L> for U32<L> {
     #[inline(always)]
     fn select(mask: Mask<L>, yes: Self, no: Self) -> Self {
-        U32(mask.0.select(yes.0, no.0))
+        #[inline(never)]
+        fn plain<L: Lanes>(mask: Mask<L>, yes: U32<L>, no: U32<L>) -> U32<L> {
+            U32(mask.0.select(yes.0, no.0))
+        }
+        if is_plain(yes.token()) { plain(mask, yes, no) } else { U32(mask.0.select(yes.0, no.0)) }
     }
 }
 

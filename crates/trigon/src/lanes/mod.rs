@@ -28,4 +28,4 @@ pub use vector::{Mat4, Rgba, Vec2, Vec3, Vec4};
 
 pub(crate) use channels::{Channels, PixelColumns};
 pub(crate) use gather::fetch;
-pub(crate) use level::dispatch;
+pub(crate) use level::{dispatch, outline};

@@ -87,3 +87,9 @@ pub trait Lanes: Simd {
 }
 
 impl<S: Simd> Lanes for S {}
+
+/// True at the plain level, where sixteen lanes are sixteen scalars.
+#[inline(always)]
+pub(super) fn is_plain<L: Lanes>(l: L) -> bool {
+    l.level().is_fallback()
+}

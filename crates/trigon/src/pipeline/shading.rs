@@ -12,7 +12,7 @@ use crate::raster::{
     BLOCK_PIXELS, BLOCK_SIZE, BLOCKS, BLOCKS_PER_SIDE, BlockState, NO_TRIANGLE, PassMasks, Tile, TriangleLookup,
 };
 use crate::resolve::{Blend, ColorBlock};
-use crate::shade::{ColorGroup, Destination, FragmentList, SurfaceGroup, TriangleGroup};
+use crate::shade::{ColorGroup, Destination, FragmentBatch, FragmentList, FragmentRows, SurfaceGroup, TriangleGroup};
 use crate::target::ShadingRate;
 
 /// The triangles listed for a tile, by id, and the coefficients of those that are visible.
@@ -183,6 +183,7 @@ pub(crate) struct Shading {
     colors: Vec<ColorGroup>,
     surfaces: Vec<SurfaceGroup>,
     kept: Vec<u16>,
+    fetched: FragmentRows,
 }
 
 impl Shading {
@@ -254,7 +255,8 @@ impl Shading {
     fn run(&mut self, input: &TileInput<'_>, visible: &VisibleTriangles, draw: u32) {
         self.colors.resize(self.list.group_count(), [[0.0; LANES]; 4]);
         let shader = input.draws[draw as usize].shader;
-        shader.shade(input.level, visible.rows.as_flattened(), &self.list.range(), &mut self.colors);
+        let mut batch = FragmentBatch { rows: &visible.rows, fragments: self.list.range(), fetched: &mut self.fetched };
+        shader.shade(input.level, &mut batch, &mut self.colors);
     }
 
     /// Lists the fragments of one triangle in one block.
@@ -293,7 +295,8 @@ impl Shading {
         self.list_triangle(input, tile, visible.slots[id as usize], b, id, masks);
         self.kept.resize(self.list.group_count(), 0);
         let shader = input.draws[visible.draw_number(input, id) as usize].shader;
-        shader.keep(input.level, visible.rows.as_flattened(), &self.list.range(), &mut self.kept);
+        let mut batch = FragmentBatch { rows: &visible.rows, fragments: self.list.range(), fetched: &mut self.fetched };
+        shader.keep(input.level, &mut batch, &mut self.kept);
         for (i, d) in self.list.destinations.iter().enumerate() {
             if self.kept[i / LANES] >> (i % LANES) & 1 == 0 {
                 for s in 0..tile.sample_count() {
@@ -377,7 +380,9 @@ impl Shading {
             self.take_draw(input, tile, visible, b, draw);
             self.surfaces.resize(self.list.group_count(), [[0.0; LANES]; 8]);
             let shader = input.draws[draw as usize].shader;
-            shader.surfaces(input.level, visible.rows.as_flattened(), &self.list.range(), &mut self.surfaces);
+            let mut batch =
+                FragmentBatch { rows: &visible.rows, fragments: self.list.range(), fetched: &mut self.fetched };
+            shader.surfaces(input.level, &mut batch, &mut self.surfaces);
             for (i, d) in self.list.destinations.iter().enumerate() {
                 let s = self.surfaces[i / LANES].map(|component| component[i % LANES]);
                 let (x, y) = pixel_in_tile(b, usize::from(d.pixel));

@@ -7,7 +7,7 @@ use super::draw::{Draw, Frame};
 use super::output::TileImages;
 use super::shading::{Shading, VisibleTriangles};
 use crate::geometry::{Chunk, Segment, Tags};
-use crate::lanes::{LANES, Lanes, dispatch};
+use crate::lanes::{LANES, Lanes, dispatch, outline};
 use crate::raster::{
     BLOCK_SIZE, BLOCKS, BLOCKS_PER_SIDE, TILE_SIZE, Tile, TileTriangle, commit, draw_micro, draw_opaque, fill_masks,
 };
@@ -102,7 +102,7 @@ fn draw_tile<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, segme
         let first = state.visible.extend(*chunk_number, entries);
         if draw.is_ordered() {
             if shades {
-                flush(l, state, input);
+                flush(state, input);
             }
             draw_ordered(l, state, input, draw, first, extent);
         } else if draw.shader.can_discard() {
@@ -147,8 +147,7 @@ fn draw_opaque_run<L: Lanes>(
 }
 
 /// Shades what is visible and not shaded yet, into the tile's colours.
-#[inline(always)]
-fn flush<L: Lanes>(_l: L, state: &mut TileState, input: &TileInput<'_>) {
+fn flush(state: &mut TileState, input: &TileInput<'_>) {
     if state.visible.has_unshaded() {
         state.visible.prepare(input, &state.tile);
         for b in 0..BLOCKS {
@@ -159,7 +158,7 @@ fn flush<L: Lanes>(_l: L, state: &mut TileState, input: &TileInput<'_>) {
 }
 
 /// Triangles that blend or discard: one after the other, shaded (or at least tested) before they are written.
-#[inline(always)]
+#[inline(never)]
 fn draw_ordered<L: Lanes>(
     l: L,
     state: &mut TileState,
@@ -175,8 +174,8 @@ fn draw_ordered<L: Lanes>(
     }
     for id in first..state.visible.len() {
         let triangle = *state.visible.lookup(input).get(id);
-        let Some(t) = TileTriangle::new(l, &state.tile, &triangle, extent) else { continue };
-        let mut rest = t.blocks(l).touched;
+        let Some(t) = outline!(l => TileTriangle::new(l, &state.tile, &triangle, extent)) else { continue };
+        let mut rest = outline!(l => t.blocks(l)).touched;
         while rest != 0 {
             let b = rest.trailing_zeros() as usize;
             rest &= rest - 1;
@@ -238,7 +237,7 @@ fn store_block<L: Lanes>(l: L, colors: &ColorBlock, images: &mut TileImages, b: 
 }
 
 /// Depth, ids and surfaces of every pixel or sample.
-#[inline(always)]
+#[inline(never)]
 fn beside_color<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>) {
     for b in 0..BLOCKS {
         state.tile.expand(l, b, &state.visible.lookup(input));

@@ -6,7 +6,7 @@
 use super::edges::MAX_SAMPLES;
 use super::tile::{DepthPlane, GROUPS, Tile};
 use super::triangle::{DepthCompare, TileTriangle};
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{LANES, Lanes, outline};
 
 /// One bit per pixel of a block, per sample.
 #[derive(Clone, Copy, Debug)]
@@ -18,8 +18,13 @@ pub struct PassMasks {
 }
 
 /// Which samples of block `b` the triangle covers and that pass the depth test. The block must be expanded.
-#[inline(always)]
+#[inline(never)]
 pub fn fill_masks<L: Lanes>(l: L, tile: &Tile, b: usize, t: &TileTriangle<'_, L>, compare: DepthCompare) -> PassMasks {
+    outline!(l => pass_masks(l, tile, b, t, compare))
+}
+
+#[inline(always)]
+fn pass_masks<L: Lanes>(l: L, tile: &Tile, b: usize, t: &TileTriangle<'_, L>, compare: DepthCompare) -> PassMasks {
     let mut masks = PassMasks { samples: [0; MAX_SAMPLES], any: 0 };
     let origin = tile.block_origin(b);
     for s in 0..tile.samples.len() {
@@ -45,8 +50,26 @@ pub fn fill_masks<L: Lanes>(l: L, tile: &Tile, b: usize, t: &TileTriangle<'_, L>
 }
 
 /// Writes depth (if `write_depth`) and `id` (if any) of the samples in `masks`.
-#[inline(always)]
+#[inline(never)]
 pub fn commit<L: Lanes>(
+    l: L,
+    tile: &mut Tile,
+    b: usize,
+    t: &TileTriangle<'_, L>,
+    masks: &PassMasks,
+    id: Option<u32>,
+    write_depth: bool,
+) {
+    outline!(l => {
+        write_masked(l, tile, b, t, masks, id, write_depth);
+        if write_depth {
+            tile.refresh_bounds(l, b);
+        }
+    });
+}
+
+#[inline(always)]
+fn write_masked<L: Lanes>(
     l: L,
     tile: &mut Tile,
     b: usize,
@@ -73,9 +96,6 @@ pub fn commit<L: Lanes>(
                 tile.ids[at + g] = mask.select(l.u32(id), old).to_array();
             }
         }
-    }
-    if write_depth {
-        tile.refresh_bounds(l, b);
     }
 }
 

@@ -5,7 +5,7 @@
 //! a clear costs nothing, and interiors of large triangles cost one decision per block.
 
 use crate::geometry::ScreenTriangle;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{LANES, Lanes, outline};
 
 /// Pixels along a side of a tile.
 pub const TILE_SIZE: usize = 64;
@@ -118,15 +118,22 @@ impl Tile {
     /// Makes block `b` `Full`. `triangle` finds a triangle by its id.
     #[inline(always)]
     pub fn expand<L: Lanes, T: TriangleLookup>(&mut self, l: L, b: usize, triangles: &T) {
+        if self.blocks[b].state != BlockState::Full {
+            self.make_full(l, b, triangles);
+        }
+    }
+
+    #[inline(never)]
+    fn make_full<L: Lanes, T: TriangleLookup>(&mut self, l: L, b: usize, triangles: &T) {
         match self.blocks[b].state {
-            BlockState::Full => return,
+            BlockState::Full => {}
             BlockState::Clear => {
                 let at = self.group(b, 0);
                 let groups = GROUPS * self.samples.len();
                 self.depth[at..at + groups].fill([self.clear_depth; LANES]);
                 self.ids[at..at + groups].fill([NO_TRIANGLE; LANES]);
             }
-            BlockState::Single(id) => self.expand_single(l, b, id, triangles.triangle(id)),
+            BlockState::Single(id) => outline!(l => self.expand_single(l, b, id, triangles.triangle(id))),
         }
         self.blocks[b].state = BlockState::Full;
     }

@@ -8,7 +8,7 @@ use super::tile::{
     BLOCK_SIZE, BLOCKS_PER_SIDE, BlockState, DepthPlane, GROUPS, TILE_SIZE, Tile, TriangleLookup, from_corner,
 };
 use crate::geometry::{PixelBox, ScreenTriangle};
-use crate::lanes::{I32, Lanes, Mask};
+use crate::lanes::{I32, Lanes, Mask, outline};
 
 /// Which depths replace the stored one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -161,8 +161,13 @@ pub fn draw_opaque<L: Lanes, T: TriangleLookup>(
 }
 
 /// Depth-tests the covered samples of an expanded block and stores those that are nearer.
-#[inline(always)]
+#[inline(never)]
 fn test_and_write<L: Lanes, const COVERED: bool>(l: L, tile: &mut Tile, b: usize, t: &TileTriangle<'_, L>, id: u32) {
+    outline!(l => test_samples::<L, COVERED>(l, tile, b, t, id));
+}
+
+#[inline(always)]
+fn test_samples<L: Lanes, const COVERED: bool>(l: L, tile: &mut Tile, b: usize, t: &TileTriangle<'_, L>, id: u32) {
     let origin = tile.block_origin(b);
     let mut farthest = l.f32(f32::INFINITY);
     for s in 0..tile.samples.len() {

@@ -157,40 +157,63 @@ impl<L: Lanes> CornerSink<L> for RowSink<'_> {
     }
 }
 
-/// Reads the rows of each lane's own triangle.
-pub(crate) trait RowReader<L: Lanes>: Copy {
-    /// Row `row`, lane by lane.
-    fn row(&self, l: L, row: usize) -> F32<L>;
+/// Most varying components of a shader.
+pub(crate) const MAX_COMPONENTS: usize = 32;
+
+/// The rows of sixteen fragments: row by row, each lane from its own triangle.
+///
+/// Fragments of one triangle and of many then read alike, and the shader is compiled once for both.
+pub struct FragmentRows {
+    rows: [[f32; LANES]; ROW_VARYINGS + ROWS_PER_COMPONENT * MAX_COMPONENTS],
+    /// The one triangle that every lane shows, if it is one.
+    single: Option<u32>,
 }
 
-/// All lanes are of one triangle.
-#[derive(Clone, Copy)]
-pub(crate) struct OneTriangle<'a>(pub(crate) &'a [f32]);
-
-impl<L: Lanes> RowReader<L> for OneTriangle<'_> {
-    #[inline(always)]
-    fn row(&self, l: L, row: usize) -> F32<L> {
-        l.f32(self.0[row * LANES])
+impl Default for FragmentRows {
+    fn default() -> Self {
+        Self { rows: [[0.0; LANES]; ROW_VARYINGS + ROWS_PER_COMPONENT * MAX_COMPONENTS], single: None }
     }
 }
 
-/// Each lane is of its own triangle.
-#[derive(Clone, Copy)]
-pub(crate) struct ManyTriangles<'a, L: Lanes> {
-    pub(crate) rows: &'a [f32],
-    pub(crate) slots: U32<L>,
-}
+impl FragmentRows {
+    /// Forgets which triangle was fetched: slots now mean other triangles.
+    pub(crate) fn forget(&mut self) {
+        self.single = None;
+    }
 
-impl<L: Lanes> RowReader<L> for ManyTriangles<'_, L> {
+    /// Fetches the rows of sixteen fragments. A slot is where the first row of a triangle is in `all`, as floats.
+    pub(crate) fn fetch(&mut self, all: &[[f32; LANES]], slots: &[u32; LANES], count: usize) {
+        let first = slots[0];
+        let is_single = slots.iter().fold(0, |differ, slot| differ | (slot ^ first)) == 0;
+        if is_single && self.single == Some(first) {
+            return;
+        }
+        self.single = is_single.then_some(first);
+        if is_single {
+            let (row, lane) = (first as usize / LANES, first as usize % LANES);
+            for (to, from) in self.rows.iter_mut().zip(&all[row..row + count]) {
+                *to = [from[lane]; LANES];
+            }
+        } else {
+            for (i, slot) in slots.iter().enumerate() {
+                let (row, lane) = (*slot as usize / LANES, *slot as usize % LANES);
+                for (to, from) in self.rows.iter_mut().zip(&all[row..row + count]) {
+                    to[i] = from[lane];
+                }
+            }
+        }
+    }
+
+    /// Row `row`, lane by lane.
     #[inline(always)]
-    fn row(&self, l: L, row: usize) -> F32<L> {
-        (self.slots + l.u32((row * LANES) as u32)).gather_f32(self.rows)
+    fn row<L: Lanes>(&self, l: L, row: usize) -> F32<L> {
+        l.f32_array(&self.rows[row])
     }
 }
 
 /// Interpolates sixteen fragments at framebuffer positions `pixel`.
 #[inline(always)]
-pub(crate) fn interpolate<L: Lanes, V: Varying<L>, R: RowReader<L>>(l: L, reader: R, pixel: Vec2<L>) -> Fragment<L, V> {
+pub(crate) fn interpolate<L: Lanes, V: Varying<L>>(l: L, reader: &FragmentRows, pixel: Vec2<L>) -> Fragment<L, V> {
     let fx = pixel.x - reader.row(l, ROW_CORNER);
     let fy = pixel.y - reader.row(l, ROW_CORNER + 1);
     let (l1, l2, w) = (Plane::read(l, reader, ROW_L1), Plane::read(l, reader, ROW_L2), Plane::read(l, reader, ROW_W));
@@ -241,7 +264,7 @@ struct Plane<L: Lanes> {
 
 impl<L: Lanes> Plane<L> {
     #[inline(always)]
-    fn read<R: RowReader<L>>(l: L, reader: R, row: usize) -> Self {
+    fn read(l: L, reader: &FragmentRows, row: usize) -> Self {
         Self { value: reader.row(l, row), x: reader.row(l, row + 1), y: reader.row(l, row + 2) }
     }
 
@@ -251,16 +274,16 @@ impl<L: Lanes> Plane<L> {
     }
 }
 
-struct Interpolator<L: Lanes, R> {
+struct Interpolator<'a, L: Lanes> {
     l: L,
-    reader: R,
+    reader: &'a FragmentRows,
     next: usize,
     b: [F32<L>; 2],
     dx: [F32<L>; 2],
     dy: [F32<L>; 2],
 }
 
-impl<L: Lanes, R: RowReader<L>> FragmentSource<L> for Interpolator<L, R> {
+impl<L: Lanes> FragmentSource<L> for Interpolator<'_, L> {
     #[inline(always)]
     fn next(&mut self) -> [F32<L>; 3] {
         let a = self.reader.row(self.l, self.next);

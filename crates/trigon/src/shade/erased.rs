@@ -3,13 +3,20 @@
 //! In: batches of work for one shader. Out: positions, coefficients, colours. Each method enters the shader's code at
 //! the frame's SIMD level once per batch.
 
-use super::coefficients::{ManyTriangles, OneTriangle, TriangleGroup, compute, interpolate, row_count};
+use super::coefficients::{FragmentRows, MAX_COMPONENTS, TriangleGroup, compute, interpolate, row_count};
 use super::fragments::{ColorGroup, FragmentRange, SurfaceGroup};
 use super::shader::{Fragment, Shader};
 use super::varying::Varying;
 use crate::geometry::ClipPositions;
 use crate::lanes::{LANES, Lanes, Vec2, dispatch};
 use fearless_simd::Level;
+
+/// Fragments of one draw, and the coefficients of its triangles.
+pub struct FragmentBatch<'a> {
+    pub(crate) rows: &'a [[f32; LANES]],
+    pub(crate) fragments: FragmentRange<'a>,
+    pub(crate) fetched: &'a mut FragmentRows,
+}
 
 /// A shader whose type is forgotten.
 pub trait ErasedShader: Sync {
@@ -20,11 +27,11 @@ pub trait ErasedShader: Sync {
     /// Coefficients of up to sixteen triangles.
     fn coefficients(&self, level: Level, group: &TriangleGroup, rows: &mut [[f32; LANES]]);
     /// Colours of fragments, one group of sixteen after the other.
-    fn shade(&self, level: Level, rows: &[f32], fragments: &FragmentRange<'_>, out: &mut [ColorGroup]);
+    fn shade(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [ColorGroup]);
     /// Which fragments exist, one bit per lane.
-    fn keep(&self, level: Level, rows: &[f32], fragments: &FragmentRange<'_>, out: &mut [u16]);
+    fn keep(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [u16]);
     /// Surfaces of fragments, for the outputs beside colour.
-    fn surfaces(&self, level: Level, rows: &[f32], fragments: &FragmentRange<'_>, out: &mut [SurfaceGroup]);
+    fn surfaces(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [SurfaceGroup]);
     /// See [`Shader::discards`].
     fn can_discard(&self) -> bool;
 }
@@ -42,16 +49,16 @@ impl<S: Shader> ErasedShader for S {
         dispatch!(level, l => compute(l, self, group, rows));
     }
 
-    fn shade(&self, level: Level, rows: &[f32], fragments: &FragmentRange<'_>, out: &mut [ColorGroup]) {
-        dispatch!(level, l => shade(l, self, rows, fragments, out));
+    fn shade(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [ColorGroup]) {
+        dispatch!(level, l => shade(l, self, batch.rows, &batch.fragments, batch.fetched, out));
     }
 
-    fn keep(&self, level: Level, rows: &[f32], fragments: &FragmentRange<'_>, out: &mut [u16]) {
-        dispatch!(level, l => keep(l, self, rows, fragments, out));
+    fn keep(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [u16]) {
+        dispatch!(level, l => keep(l, self, batch.rows, &batch.fragments, batch.fetched, out));
     }
 
-    fn surfaces(&self, level: Level, rows: &[f32], fragments: &FragmentRange<'_>, out: &mut [SurfaceGroup]) {
-        dispatch!(level, l => surfaces(l, self, rows, fragments, out));
+    fn surfaces(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [SurfaceGroup]) {
+        dispatch!(level, l => surfaces(l, self, batch.rows, &batch.fragments, batch.fetched, out));
     }
 
     fn can_discard(&self) -> bool {
@@ -82,12 +89,17 @@ fn place<L: Lanes, S: Shader>(l: L, shader: &S, indices: &[u32; LANES], out: &mu
 }
 
 #[inline(always)]
-fn shade<L: Lanes, S: Shader>(l: L, shader: &S, rows: &[f32], f: &FragmentRange<'_>, out: &mut [ColorGroup]) {
+fn shade<L: Lanes, S: Shader>(
+    l: L,
+    shader: &S,
+    rows: &[[f32; LANES]],
+    f: &FragmentRange<'_>,
+    fetched: &mut FragmentRows,
+    out: &mut [ColorGroup],
+) {
+    fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
-        let color = match f.single_slot(g) {
-            Some(slot) => shader.fragment(l, &one(l, rows, slot, f, g)),
-            None => shader.fragment(l, &many(l, rows, f, g)),
-        };
+        let color = shader.fragment(l, &fragment::<L, S>(l, fetched, rows, f, g));
         color.r.store(&mut out[0]);
         color.g.store(&mut out[1]);
         color.b.store(&mut out[2]);
@@ -96,23 +108,32 @@ fn shade<L: Lanes, S: Shader>(l: L, shader: &S, rows: &[f32], f: &FragmentRange<
 }
 
 #[inline(always)]
-fn keep<L: Lanes, S: Shader>(l: L, shader: &S, rows: &[f32], f: &FragmentRange<'_>, out: &mut [u16]) {
+fn keep<L: Lanes, S: Shader>(
+    l: L,
+    shader: &S,
+    rows: &[[f32; LANES]],
+    f: &FragmentRange<'_>,
+    fetched: &mut FragmentRows,
+    out: &mut [u16],
+) {
+    fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
-        let kept = match f.single_slot(g) {
-            Some(slot) => shader.keep(l, &one(l, rows, slot, f, g)),
-            None => shader.keep(l, &many(l, rows, f, g)),
-        };
-        *out = kept.bits();
+        *out = shader.keep(l, &fragment::<L, S>(l, fetched, rows, f, g)).bits();
     }
 }
 
 #[inline(always)]
-fn surfaces<L: Lanes, S: Shader>(l: L, shader: &S, rows: &[f32], f: &FragmentRange<'_>, out: &mut [SurfaceGroup]) {
+fn surfaces<L: Lanes, S: Shader>(
+    l: L,
+    shader: &S,
+    rows: &[[f32; LANES]],
+    f: &FragmentRange<'_>,
+    fetched: &mut FragmentRows,
+    out: &mut [SurfaceGroup],
+) {
+    fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
-        let s = match f.single_slot(g) {
-            Some(slot) => shader.surface(l, &one(l, rows, slot, f, g)),
-            None => shader.surface(l, &many(l, rows, f, g)),
-        };
+        let s = shader.surface(l, &fragment::<L, S>(l, fetched, rows, f, g));
         let values = [s.position.x, s.position.y, s.position.z, s.normal.x, s.normal.y, s.normal.z, s.uv.x, s.uv.y];
         for (value, out) in values.into_iter().zip(out) {
             value.store(out);
@@ -120,16 +141,17 @@ fn surfaces<L: Lanes, S: Shader>(l: L, shader: &S, rows: &[f32], f: &FragmentRan
     }
 }
 
-/// Sixteen fragments of one triangle.
+/// Sixteen interpolated fragments.
 #[inline(always)]
-fn one<L: Lanes, V: Varying<L>>(l: L, rows: &[f32], slot: u32, f: &FragmentRange<'_>, g: usize) -> Fragment<L, V> {
+fn fragment<L: Lanes, S: Shader>(
+    l: L,
+    fetched: &mut FragmentRows,
+    rows: &[[f32; LANES]],
+    f: &FragmentRange<'_>,
+    g: usize,
+) -> Fragment<L, S::Varying<L>> {
+    const { assert!(<S::Varying<L> as Varying<L>>::COMPONENTS <= MAX_COMPONENTS, "at most 32 varying components") };
+    fetched.fetch(rows, &f.slots[g], row_count(<S::Varying<L> as Varying<L>>::COMPONENTS));
     let pixel = Vec2 { x: l.f32_array(&f.x[g]), y: l.f32_array(&f.y[g]) };
-    interpolate(l, OneTriangle(&rows[slot as usize..]), pixel)
-}
-
-/// Sixteen fragments, each of its own triangle.
-#[inline(always)]
-fn many<L: Lanes, V: Varying<L>>(l: L, rows: &[f32], f: &FragmentRange<'_>, g: usize) -> Fragment<L, V> {
-    let pixel = Vec2 { x: l.f32_array(&f.x[g]), y: l.f32_array(&f.y[g]) };
-    interpolate(l, ManyTriangles { rows, slots: l.u32_array(&f.slots[g]) }, pixel)
+    interpolate(l, fetched, pixel)
 }

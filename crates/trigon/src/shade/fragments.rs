@@ -39,19 +39,6 @@ pub struct FragmentRange<'a> {
     pub(crate) slots: &'a [[u32; LANES]],
 }
 
-impl FragmentRange<'_> {
-    /// The one slot of group `g`, if all its lanes have the same.
-    #[inline(always)]
-    pub(crate) fn single_slot(&self, g: usize) -> Option<u32> {
-        let slots = &self.slots[g];
-        let mut differ = 0;
-        for slot in slots {
-            differ |= slot ^ slots[0];
-        }
-        (differ == 0).then_some(slots[0])
-    }
-}
-
 impl FragmentList {
     pub(crate) fn clear(&mut self) {
         self.x.clear();

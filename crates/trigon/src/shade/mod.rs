@@ -10,8 +10,8 @@ mod shader;
 pub mod texture;
 mod varying;
 
-pub use coefficients::TriangleGroup;
-pub use erased::ErasedShader;
+pub use coefficients::{FragmentRows, TriangleGroup};
+pub use erased::{ErasedShader, FragmentBatch};
 pub use fragments::{ColorGroup, FragmentRange, SurfaceGroup};
 pub use shader::{Fragment, Shader, SurfaceLanes, Vertex};
 pub use varying::{CornerSink, FragmentSource, Varying};
