@@ -75,7 +75,8 @@ fn targets(line: &str) -> Vec<String> {
 
 /// What is wrong with `target` as written in the file at `path`, if anything.
 fn problem(tree: &Tree, path: &str, target: &str) -> Option<String> {
-    let is_elsewhere = target.contains("://") || target.starts_with("mailto:");
+    // `crate::Item` is a link of rustdoc, which checks it itself.
+    let is_elsewhere = target.contains("://") || target.starts_with("mailto:") || target.contains("::");
     if is_elsewhere || target.is_empty() {
         return None;
     }
@@ -154,7 +155,10 @@ mod tests {
             broken("[a](b.md) [b](../README.md) [c](../src) ![d](/src/x.rs) [e](b.md#one-two-three)\n[l]: b.md\n"),
             0
         );
-        assert_eq!(broken("# Here\n[f](#here) [g](https://example.org/x) [h](mailto:a@example.org)\n"), 0);
+        assert_eq!(
+            broken("# Here\n[f](#here) [g](https://example.org/x) [h](mailto:a@example.org) [i](crate::Item)\n"),
+            0
+        );
     }
 
     #[test]
