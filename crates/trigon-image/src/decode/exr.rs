@@ -155,3 +155,108 @@ impl Header {
         self.tile_size.unwrap_or((self.width, self.compression.lines_per_block()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file with one `f32` channel Y and uncompressed blocks.
+    struct Exr {
+        flags: u32,
+        window: [i32; 4],
+        tile_size: Option<(u32, u32)>,
+        /// What each block says of its place, and its samples.
+        blocks: Vec<(Vec<i32>, Vec<f32>)>,
+    }
+
+    impl Exr {
+        fn bytes(&self) -> Vec<u8> {
+            let mut file = vec![0x76, 0x2f, 0x31, 0x01];
+            file.extend(self.flags.to_le_bytes());
+            let mut attribute = |name: &str, value: &[u8]| {
+                file.extend(name.bytes().chain(*b"\0any\0"));
+                file.extend(u32::try_from(value.len()).unwrap().to_le_bytes());
+                file.extend(value);
+            };
+            attribute("compression", &[0]);
+            attribute("channels", b"Y\0\x02\0\0\0\0\0\0\0\x01\0\0\0\x01\0\0\0\0");
+            attribute("comment", b"passed over");
+            attribute("dataWindow", &self.window.map(i32::to_le_bytes).concat());
+            if let Some((width, height)) = self.tile_size {
+                attribute("tiles", &[&width.to_le_bytes()[..], &height.to_le_bytes(), &[0]].concat());
+            }
+            file.push(0);
+            let table = file.len();
+            file.resize(table + self.blocks.len() * 8, 0);
+            for (i, (place, samples)) in self.blocks.iter().enumerate() {
+                let offset = file.len() as u64;
+                file[table + i * 8..][..8].copy_from_slice(&offset.to_le_bytes());
+                file.extend(place.iter().flat_map(|number| number.to_le_bytes()));
+                file.extend(u32::try_from(samples.len() * 4).unwrap().to_le_bytes());
+                file.extend(samples.iter().flat_map(|sample| sample.to_le_bytes()));
+            }
+            file
+        }
+
+        fn numbers(&self) -> Vec<f32> {
+            let image = decode(&self.bytes(), &Limits::default()).unwrap().into_linear();
+            image.pixels().iter().map(|&[r, g, b, a]| if r == g && g == b && a == 1.0 { r } else { f32::NAN }).collect()
+        }
+
+        fn error(&self) -> String {
+            decode(&self.bytes(), &Limits::default()).unwrap_err().to_string()
+        }
+    }
+
+    /// Three columns and two lines from line -5 on.
+    fn scan_lines() -> Exr {
+        let blocks = vec![(vec![-5], vec![1.0, 2.0, 3.0]), (vec![-4], vec![4.0, 5.0, 6.0])];
+        Exr { flags: 2, window: [10, -5, 12, -4], tile_size: None, blocks }
+    }
+
+    /// The same picture in tiles of two by one.
+    fn tiles() -> Exr {
+        let places = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| vec![x, y, 0, 0]);
+        let samples = [vec![1.0, 2.0], vec![3.0], vec![4.0, 5.0], vec![6.0]];
+        Exr {
+            flags: 2 | 0x200,
+            tile_size: Some((2, 1)),
+            blocks: places.into_iter().zip(samples).collect(),
+            ..scan_lines()
+        }
+    }
+
+    #[test]
+    fn scan_lines_and_tiles_give_the_same_picture() {
+        assert_eq!(scan_lines().numbers(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        assert_eq!(tiles().numbers(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    }
+
+    #[test]
+    fn bad_headers_and_blocks_say_which_rule_they_break() {
+        let wrong_place = |mut exr: Exr| {
+            exr.blocks[1].0[0] += 7;
+            exr
+        };
+        let short = |mut exr: Exr| {
+            exr.blocks[1].1.pop();
+            exr
+        };
+        for (exr, part) in [
+            (Exr { flags: 1, ..scan_lines() }, "unsupported EXR: a version other than 2"),
+            (Exr { flags: 2 | 0x1000, ..scan_lines() }, "several parts"),
+            (Exr { window: [1, 0, 0, 5], ..scan_lines() }, "at least one pixel"),
+            (Exr { window: [i32::MIN, 0, i32::MAX, 0], ..scan_lines() }, "at least one pixel"),
+            (Exr { window: [0, 0, 40000, 0], ..scan_lines() }, "max_width of 40001"),
+            (Exr { window: [0, 0, 2, 9000], ..scan_lines() }, "table of block offsets"),
+            (Exr { tile_size: None, ..tiles() }, "attribute tiles"),
+            (Exr { tile_size: Some((0, 1)), ..tiles() }, "at least one pixel wide"),
+            (wrong_place(scan_lines()), "where the table of offsets says"),
+            (wrong_place(tiles()), "where the table of offsets says"),
+            (short(scan_lines()), "a block has the length of its lines"),
+        ] {
+            let error = exr.error();
+            assert!(error.contains(part), "{error}");
+        }
+    }
+}

@@ -161,3 +161,76 @@ fn undo_pxr24(packed: &[u8], shape: &Shape<'_>) -> Result<Vec<u8>, &'static str>
     }
     Ok(raw)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use flate2::Compression as Level;
+    use flate2::write::ZlibEncoder;
+
+    use super::*;
+
+    fn deflate(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = ZlibEncoder::new(Vec::new(), Level::best());
+        encoder.write_all(bytes).unwrap();
+        encoder.finish().unwrap()
+    }
+
+    fn channel(sample_type: SampleType) -> Channel {
+        Channel { name: "Y".into(), sample_type }
+    }
+
+    #[test]
+    fn differences_and_the_split_are_undone() {
+        // Even bytes 10, 12, 14, then odd bytes 11, 13: each as the difference to the one before, plus 128.
+        assert_eq!(undo_difference_and_split(vec![10, 130, 130, 125, 130]), [10, 11, 12, 13, 14]);
+        assert_eq!(undo_difference_and_split(Vec::new()), []);
+    }
+
+    #[test]
+    fn runs_are_undone() {
+        let packed = [(-3_i8).cast_unsigned(), 1, 2, 3, 4, 9];
+        assert_eq!(undo_runs(&packed, 8).unwrap(), [1, 2, 3, 9, 9, 9, 9, 9]);
+        for (packed, length) in [(&packed[..5], 8), (&packed[..3], 8), (&packed[..], 7), (&packed[..], 9), (&[][..], 1)]
+        {
+            assert!(undo_runs(packed, length).is_err(), "{packed:?} to {length} bytes");
+        }
+    }
+
+    #[test]
+    fn blocks_of_the_wrong_length_are_refused() {
+        let channels = [channel(SampleType::F16)];
+        let shape = Shape { width: 50, height: 1, channels: &channels, raw_length: 100 };
+        for compression in [Compression::Zip, Compression::Zips] {
+            assert_eq!(unpack(compression, &deflate(&[0; 100]), &shape).unwrap().len(), 100);
+            for length in [0, 99, 101, 100_000] {
+                assert!(unpack(compression, &deflate(&vec![0; length]), &shape).is_err());
+            }
+            assert!(unpack(compression, &[1, 2, 3], &shape).is_err());
+        }
+        assert!(unpack(Compression::None, &[0; 99], &shape).is_err());
+        // What would not shrink is stored raw, whatever the compression.
+        for compression in [Compression::None, Compression::Rle, Compression::Zip, Compression::Pxr24] {
+            assert_eq!(unpack(compression, &[7; 100], &shape).unwrap(), [7; 100]);
+        }
+    }
+
+    #[test]
+    fn pxr24_sums_up_differences_of_numbers() {
+        for (sample_type, planes, expected) in [
+            // 0x3c00, then 1 more, then 0x0101 less.
+            (SampleType::F16, &[0x3c, 0x00, 0xfe, 0x00, 0x01, 0xff][..], vec![0x3c00_u32, 0x3c01, 0x3b00]),
+            (SampleType::U32, &[0, 0, 0, 0, 1, 0, 0, 0, 0, 5, 1, 0], vec![5, 0x0001_0006, 0x0001_0006]),
+            // The highest three bytes of each.
+            (SampleType::F32, &[0x3f, 0, 0, 0x80, 0, 0, 0, 1, 0], vec![0x3f80_0000, 0x3f80_0100, 0x3f80_0100]),
+        ] {
+            let bytes = sample_type.bytes();
+            let channels = [channel(sample_type)];
+            let shape = Shape { width: 3, height: 1, channels: &channels, raw_length: 3 * bytes };
+            let raw = undo_pxr24(&deflate(planes), &shape).unwrap();
+            let expected: Vec<u8> = expected.iter().flat_map(|x| x.to_le_bytes()[..bytes].to_vec()).collect();
+            assert_eq!(raw, expected, "{sample_type:?}");
+        }
+    }
+}
