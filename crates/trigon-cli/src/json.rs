@@ -10,6 +10,8 @@ pub(crate) enum Json {
     /// Printed with three digits behind the point; null unless finite.
     Decimal(f64),
     Text(String),
+    /// Coordinates in full, on one line.
+    Point([f64; 3]),
     List(Vec<Json>),
     Object(Vec<(&'static str, Json)>),
 }
@@ -57,6 +59,9 @@ fn write_value(f: &mut fmt::Formatter<'_>, value: &Json, depth: usize) -> fmt::R
         Json::Decimal(number) if number.is_finite() => write!(f, "{number:.3}"),
         Json::Decimal(_) => f.write_str("null"),
         Json::Text(text) => write_text(f, text),
+        // Shortest decimals that read back as the same numbers.
+        Json::Point([x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => write!(f, "[{x}, {y}, {z}]"),
+        Json::Point(_) => f.write_str("null"),
         Json::List(items) => write_all(f, depth, '[', ']', items, |f, item| write_value(f, item, depth + 1)),
         Json::Object(members) => write_all(f, depth, '{', '}', members, |f, (name, member)| {
             write_text(f, name)?;
@@ -110,10 +115,11 @@ mod tests {
             ("text", "a \"b\"\\\n\u{1}é".into()),
             ("list", Json::List(vec![Json::Integer(u64::MAX), Json::Bool(true), Json::Decimal(0.25)])),
             ("empty", Json::List(Vec::new())),
+            ("point", Json::Point([0.1, -2.0, 1e-7])),
             ("nothing", Json::Decimal(f64::NAN)),
         ]);
         let expected = "{\n  \"text\": \"a \\\"b\\\"\\\\\\n\\u0001é\",\n  \"list\": [\n    18446744073709551615,\n    \
-                        true,\n    0.250\n  ],\n  \"empty\": [],\n  \"nothing\": null\n}";
+                        true,\n    0.250\n  ],\n  \"empty\": [],\n  \"point\": [0.1, -2, 0.0000001],\n  \"nothing\": null\n}";
         assert_eq!(value.to_string(), expected);
     }
 }

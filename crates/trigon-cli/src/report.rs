@@ -126,7 +126,6 @@ impl Report {
     fn to_json(&self) -> Json {
         let g = &self.geometry;
         let texts = |texts: &[String]| Json::List(texts.iter().map(|text| text.clone().into()).collect());
-        let point = |point: [f64; 3]| Json::List(point.map(Json::Decimal).to_vec());
         Json::Object(vec![
             ("version", env!("CARGO_PKG_VERSION").into()),
             ("models", texts(&self.models)),
@@ -137,8 +136,8 @@ impl Report {
             ("frames", self.frames.into()),
             ("samples", self.samples.clone().into()),
             ("shader", self.shader.into()),
-            ("eye", point(self.eye)),
-            ("target", point(self.target)),
+            ("eye", Json::Point(self.eye)),
+            ("target", Json::Point(self.target)),
             ("triangles", self.triangles.into()),
             ("submitted", g.submitted.into()),
             ("drawn", g.drawn.into()),

@@ -67,11 +67,16 @@ impl Terminal {
     fn message(self, kind: &str, color: &str, message: &str) {
         // A status line may be showing: start at the left and clear what is there.
         let clear = if self.shows_progress { "\r\x1b[K" } else { "" };
-        let message = message.trim_end();
-        to_stderr(&match self.is_colored {
-            true => format!("{clear}\x1b[1;{color}m{kind}:\x1b[0m {message}\n"),
-            false => format!("{clear}{kind}: {message}\n"),
-        });
+        to_stderr(&format!("{clear}{}\n", labelled(kind, self.is_colored.then_some(color), message)));
+    }
+}
+
+/// `kind: message`, the kind bold and in a colour (an SGR code) if there is one.
+fn labelled(kind: &str, color: Option<&str>, message: &str) -> String {
+    let message = message.trim_end();
+    match color {
+        Some(color) => format!("\x1b[1;{color}m{kind}:\x1b[0m {message}"),
+        None => format!("{kind}: {message}"),
     }
 }
 
@@ -87,4 +92,15 @@ pub(crate) fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
         ErrorKind::BrokenPipe => Failure::ClosedPipe,
         _ => Failure::work(format!("cannot write to standard output: {error}")),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_optional() {
+        assert_eq!(labelled("error", None, "no such file\n"), "error: no such file");
+        assert_eq!(labelled("error", Some("31"), "x"), "\u{1b}[1;31merror:\u{1b}[0m x");
+    }
 }

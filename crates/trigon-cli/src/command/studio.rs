@@ -35,8 +35,14 @@ pub(crate) struct Studio {
 impl Studio {
     /// Checks the options, then reads the models.
     pub(crate) fn open(options: &RenderOptions, output: &Destination, encoding: &Encoding) -> Result<Self, Failure> {
+        let mut studio = Self::empty(options, output, encoding)?;
+        studio.load(options, output)?;
+        Ok(studio)
+    }
+
+    /// Finds everything that can be wrong before a model is read.
+    fn empty(options: &RenderOptions, output: &Destination, encoding: &Encoding) -> Result<Self, Failure> {
         let mut report = Report::start();
-        let terminal = Terminal::detect(options.output.quiet);
         check_inputs(&options.models)?;
         view::check(&options.view)?;
         output.check(&options.models)?;
@@ -46,13 +52,6 @@ impl Studio {
         let renderer_options = machine::renderer_options(&options.machine)?;
         let renderer = Renderer::new(renderer_options).map_err(|error| Failure::usage(error.to_string()))?;
 
-        let started = Instant::now();
-        let mut models = Models::load(&options.models, &options.input, options.machine.threads)?;
-        report.stages.load = started.elapsed();
-        output.check_not_among(&models.files)?;
-        models.place(&options.view);
-        models.scene.lights.extend(options.shading.lights.iter().map(|light| light.0.clone()));
-
         report.models = options.models.iter().map(|path| path.display().to_string()).collect();
         report.output = output.name();
         report.format = encoding.format.name();
@@ -61,30 +60,37 @@ impl Studio {
         report.shader = settings.shader.name();
         report.simd = renderer_options.simd.name();
         report.threads = renderer_options.threads;
-        report.triangles = models.scene.triangle_count();
-        let is_empty = models.is_empty();
-        let up = options.view.up.unwrap_or(models.up);
-        let is_strict = options.input.strict;
-        let mut studio = Self {
-            terminal,
-            scene: models.scene,
-            up,
+        Ok(Self {
+            terminal: Terminal::detect(options.output.quiet),
+            scene: Scene::default(),
+            up: UpDirection::PLUS_Y,
             renderer,
             scene_renderer: SceneRenderer::new(),
             settings,
             picture: Picture::default(),
-            is_strict,
+            is_strict: options.input.strict,
             report,
             report_target,
-        };
-        studio.warn_all(&models.warnings)?;
-        if is_empty {
-            studio.finding(format!(
-                "{}: has no faces, lines or points; nothing to draw",
-                studio.report.models.join(", ")
-            ))?;
+        })
+    }
+
+    /// Reads the models, places them and adds the lights.
+    fn load(&mut self, options: &RenderOptions, output: &Destination) -> Result<(), Failure> {
+        let started = Instant::now();
+        let mut models = Models::load(&options.models, &options.input, options.machine.threads)?;
+        self.report.stages.load = started.elapsed();
+        output.check_not_among(&models.files)?;
+        self.warn_all(&models.warnings)?;
+        if models.is_empty() {
+            let names = self.report.models.join(", ");
+            self.finding(format!("{names}: has no faces, lines or points; nothing to draw"))?;
         }
-        Ok(studio)
+        models.place(&options.view);
+        self.up = options.view.up.unwrap_or(models.up);
+        self.scene = models.scene;
+        self.scene.lights.extend(options.shading.lights.iter().map(|light| light.0.clone()));
+        self.report.triangles = self.scene.triangle_count();
+        Ok(())
     }
 
     /// Width / height.

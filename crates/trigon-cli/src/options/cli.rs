@@ -17,8 +17,7 @@ const HELP_WIDTH: usize = 79;
     after_long_help = texts::EXIT_CODES,
     after_help = "trigon MODEL.. is short for trigon render MODEL..",
     subcommand_required = true,
-    arg_required_else_help = true,
-    disable_help_subcommand = true
+    arg_required_else_help = true
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]

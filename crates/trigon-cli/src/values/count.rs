@@ -12,6 +12,9 @@ impl FromStr for Count {
     fn from_str(text: &str) -> Result<Self, String> {
         let text = text.trim();
         let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        if digits.is_empty() {
+            return Err(no_count(text));
+        }
         let shift = match text[digits.len()..].to_ascii_lowercase().as_str() {
             "" => 0,
             "k" | "kib" => 10,
@@ -20,9 +23,13 @@ impl FromStr for Count {
             "t" | "tib" => 40,
             suffix => return Err(format!("\"{suffix}\" is no suffix of counts: write k, M, G or T")),
         };
-        let number: u64 = digits.parse().map_err(|_| format!("\"{text}\" is no count: write such as 500000 or 64M"))?;
+        let number: u64 = digits.parse().map_err(|_| no_count(text))?;
         number.checked_mul(1 << shift).map(Self).ok_or_else(|| format!("{text} is too large"))
     }
+}
+
+fn no_count(text: &str) -> String {
+    format!("\"{text}\" is no count: write such as 500000 or 64M")
 }
 
 #[cfg(test)]

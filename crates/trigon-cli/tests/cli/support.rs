@@ -7,12 +7,10 @@ use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 use trigon_image::{Limits, Rgba8Image, decode};
 
-/// A cube of six colours by material, without normals or texture coordinates; it fits no symmetry.
+/// A box that fits no symmetry, without normals, texture coordinates and materials.
 pub(crate) const CUBE: &str = "\
 v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 3\nv 2 0 3\nv 2 1 3\nv 0 1 3
-usemtl red\nf 5 6 7 8\nf 2 1 4 3
-usemtl green\nf 6 2 3 7\nf 1 5 8 4
-usemtl blue\nf 8 7 3 4\nf 1 2 6 5
+f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5
 ";
 
 /// One square with a texture.
