@@ -79,3 +79,70 @@ pub fn exp<L: Lanes>(x: F32<L>) -> F32<L> {
     let rest = (x - whole * 0.693_359_4) - whole * -2.121_944_4e-4;
     exp2_reduced(whole, rest * core::f32::consts::LOG2_E)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::check::{evaluate, evenly, floats, relative_error};
+
+    fn log2_of(x: &[f32]) -> Vec<f32> {
+        evaluate!(log2, x)
+    }
+
+    fn exp2_of(x: &[f32]) -> Vec<f32> {
+        evaluate!(exp2, x)
+    }
+
+    fn exp_of(x: &[f32]) -> Vec<f32> {
+        evaluate!(exp, x)
+    }
+
+    #[test]
+    fn log2_is_within_its_error() {
+        let mut x = floats(f32::MIN_POSITIVE, f32::MAX, 9973);
+        x.extend(floats(0.5, 2.0, 101));
+        x.retain(|x| *x != 1.0);
+        let error = relative_error(&log2_of(&x), x.iter().map(|x| libm::log2(f64::from(*x))));
+        assert!(error < 2.0e-7, "{error:e}");
+    }
+
+    #[test]
+    fn log2_is_finite_everywhere() {
+        let odd = [1.0, 0.0, -0.0, 1e-40, -1.0, f32::NEG_INFINITY, f32::NAN, -f32::NAN, f32::INFINITY];
+        let results = log2_of(&odd);
+        assert_eq!(results, [0.0, -128.0, -128.0, -128.0, -128.0, -128.0, -128.0, -128.0, 128.0]);
+        // Powers of two are exact.
+        let powers: Vec<f32> = (1..=254).map(|e| f32::from_bits(e << 23)).collect();
+        for (power, result) in (-126_i16..).zip(log2_of(&powers)) {
+            assert_eq!(result, f32::from(power));
+        }
+    }
+
+    #[test]
+    fn exp2_is_within_its_error() {
+        let mut x = evenly(-126.0, 127.99, 60_001);
+        x.extend(floats(1e-9, 1.0, 4001));
+        let error = relative_error(&exp2_of(&x), x.iter().map(|x| libm::exp2(f64::from(*x))));
+        assert!(error < 1.5e-7, "{error:e}");
+    }
+
+    #[test]
+    fn exp2_of_integers_is_exact_and_its_ends_are_right() {
+        let x: Vec<f32> = (-149_i16..=127).map(f32::from).collect();
+        for (x, result) in x.iter().zip(exp2_of(&x)) {
+            assert_eq!(f64::from(result), libm::exp2(f64::from(*x)), "{x}");
+        }
+        let odd = [128.0, 1e30, f32::INFINITY, -151.0, -1e30, f32::NEG_INFINITY, f32::NAN, -0.0];
+        let infinity = f32::INFINITY;
+        assert_eq!(exp2_of(&odd), [infinity, infinity, infinity, 0.0, 0.0, 0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn exp_is_within_its_error() {
+        let mut x = evenly(-87.3, 88.7, 60_001);
+        x.extend(floats(1e-9, 1.0, 4001));
+        let error = relative_error(&exp_of(&x), x.iter().map(|x| libm::exp(f64::from(*x))));
+        assert!(error < 2.5e-7, "{error:e}");
+        assert_eq!(exp_of(&[0.0, 89.0, -104.0, f32::NAN]), [1.0, f32::INFINITY, 0.0, 0.0]);
+    }
+}

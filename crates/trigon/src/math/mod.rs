@@ -6,8 +6,14 @@
 
 pub mod host;
 
+#[cfg(test)]
+mod check;
 mod log_exp;
+mod power;
 mod srgb;
+mod trigonometry;
 
 pub use log_exp::{exp, exp2, log2};
+pub use power::{pow, powi, rsqrt};
 pub use srgb::{linear_to_srgb8, srgb8_to_linear};
+pub use trigonometry::{acos, atan2, cos, sin};

@@ -35,3 +35,73 @@ fn srgb8_to_linear_table() -> &'static [f32; 256] {
     });
     &TABLE
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::{LANES, SimdLevel, dispatch};
+    use trigon_image::color::linear_to_srgb;
+
+    fn encode(level: SimdLevel, x: &[f32; LANES]) -> [u32; LANES] {
+        dispatch!(level.to_level().expect("the level is available"), l => linear_to_srgb8(l.f32_array(x)).to_array())
+    }
+
+    fn check(level: SimdLevel, bits: impl Iterator<Item = u32>) {
+        let mut bits = bits.peekable();
+        while bits.peek().is_some() {
+            let x = core::array::from_fn(|_| f32::from_bits(bits.next().unwrap_or(0)));
+            let codes = encode(level, &x);
+            for (x, code) in x.iter().zip(codes) {
+                assert_eq!(code, u32::from(linear_to_srgb(*x)), "{x} at {level}");
+            }
+        }
+    }
+
+    #[test]
+    fn encoding_is_that_of_the_image_crate() {
+        for level in SimdLevel::ALL.into_iter().filter(|level| level.is_available()) {
+            // All signs, exponents, infinities and NaN.
+            check(level, (0..=u32::MAX).step_by(65_521));
+            // The ends of the table and the neighbours of each bucket.
+            check(level, 0x38ff_ff00..0x3900_0100);
+            check(level, 0x3f7f_ff00..0x3f80_0100);
+            check(level, (0x3900_0000..0x3f80_0000).step_by(1 << 16).flat_map(|bits| bits - 2..bits + 2));
+        }
+    }
+
+    #[test]
+    #[ignore = "a billion floats: run with --release"]
+    fn encoding_is_that_of_the_image_crate_for_every_float_up_to_two() {
+        check(SimdLevel::detect(), 0..=2.0_f32.to_bits());
+    }
+
+    #[test]
+    fn every_step_is_where_the_image_crate_has_it() {
+        for code in 1..=u8::MAX {
+            // The first float of the code, by bisection.
+            let (mut below, mut first) = (0, 1.0_f32.to_bits());
+            while first - below > 1 {
+                let middle = below.midpoint(first);
+                if linear_to_srgb(f32::from_bits(middle)) < code { below = middle } else { first = middle }
+            }
+            for level in SimdLevel::ALL.into_iter().filter(|level| level.is_available()) {
+                let codes =
+                    encode(level, &[f32::from_bits(below), f32::from_bits(first)].repeat(8).try_into().unwrap());
+                assert_eq!(codes[..2], [u32::from(code) - 1, u32::from(code)], "at {level}");
+            }
+        }
+    }
+
+    #[test]
+    fn decoding_is_that_of_the_image_crate() {
+        let codes: [u32; LANES] =
+            core::array::from_fn(|i| [0, 1, 10, 11, 12, 127, 128, 254, 255, 256, u32::MAX][i % 11]);
+        for level in SimdLevel::ALL.into_iter().filter(|level| level.is_available()) {
+            let token = level.to_level().expect("the level is available");
+            let linear = dispatch!(token, l => srgb8_to_linear(l.u32_array(&codes)).to_array());
+            for (code, linear) in codes.iter().zip(linear) {
+                assert_eq!(linear, u8::try_from(*code).map_or(0.0, srgb_to_linear));
+            }
+        }
+    }
+}

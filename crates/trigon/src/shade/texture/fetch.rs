@@ -6,7 +6,7 @@
 use super::layout::MAX_LEVELS;
 use super::pyramid::Texture;
 use super::texel::{BYTE_SCALE, FourChannels, Texels};
-use crate::lanes::{Channels, F32, I32, LANES, Lanes, PixelColumns, Rgba, Zero, fetch};
+use crate::lanes::{Channels, F32, I32, LANES, Lanes, PixelColumns, Rgba, Zero, fetch, outline};
 
 /// The level of each lane.
 #[derive(Clone, Copy)]
@@ -58,10 +58,7 @@ impl Texture {
     /// One texel per lane. Never inlined, for the sake of code size.
     #[inline(never)]
     pub(super) fn fetch<L: Lanes>(&self, l: L, index: I32<L>) -> Rgba<L> {
-        l.vectorize(
-            #[inline(always)]
-            || self.fetch_of_format(l, index),
-        )
+        outline!(l => self.fetch_of_format(l, index))
     }
 
     #[inline(always)]
@@ -79,10 +76,7 @@ impl Texture {
     /// Four texels per lane, mixed. Never inlined, for the sake of code size.
     #[inline(never)]
     pub(super) fn fetch_mixed<L: Lanes>(&self, l: L, quad: &TexelQuad<L>) -> Rgba<L> {
-        l.vectorize(
-            #[inline(always)]
-            || self.mix_of_format(l, quad),
-        )
+        outline!(l => self.mix_of_format(l, quad))
     }
 
     #[inline(always)]

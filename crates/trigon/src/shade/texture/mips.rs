@@ -122,3 +122,86 @@ fn accumulate(sum: &mut [Rgba], row: &[Rgba], weight: f32) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{TexelFormat, Texture, TextureDesc};
+
+    fn values([width, height]: [u32; 2]) -> Vec<f32> {
+        (0..width * height).map(|i| (i.wrapping_mul(2_654_435_761) >> 8) as f32 / 16_777_216.0).collect()
+    }
+
+    fn texture(size: [u32; 2]) -> Texture {
+        Texture::from_floats(&TextureDesc::new(size, TexelFormat::R32Float), &values(size)).unwrap()
+    }
+
+    fn sizes() -> Vec<[u32; 2]> {
+        let mut sizes: Vec<[u32; 2]> = (1..=17).flat_map(|w| (1..=17).map(move |h| [w, h])).collect();
+        sizes.extend([[255, 129], [1, 300], [301, 1], [64, 3], [6, 127]]);
+        sizes
+    }
+
+    /// How much of target `i` of `targets` source `k` of `sources` covers, by the overlap of their intervals.
+    fn overlap(i: u32, targets: u32, k: u32, sources: u32) -> f64 {
+        let ratio = f64::from(sources) / f64::from(targets);
+        let (from, to) = (f64::from(i) * ratio, f64::from(i + 1) * ratio);
+        ((f64::from(k) + 1.0).min(to) - f64::from(k).max(from)).max(0.0) / ratio
+    }
+
+    #[test]
+    fn each_texel_is_the_mean_of_its_area() {
+        for size in sizes() {
+            let texture = texture(size);
+            let mut above: Vec<f64> = values(size).into_iter().map(f64::from).collect();
+            let [mut width, mut height] = size;
+            for level in 1..texture.levels() {
+                let [w, h] = texture.level_size(level).unwrap();
+                assert_eq!([w, h], [(width / 2).max(1), (height / 2).max(1)]);
+                let mut means = Vec::new();
+                for (y, x) in (0..h).flat_map(|y| (0..w).map(move |x| (y, x))) {
+                    let mut mean = 0.0;
+                    // No target reaches further than three sources.
+                    for (j, i) in
+                        (2 * y..height.min(2 * y + 3)).flat_map(|j| (2 * x..width.min(2 * x + 3)).map(move |i| (j, i)))
+                    {
+                        mean += above[(j * width + i) as usize] * overlap(x, w, i, width) * overlap(y, h, j, height);
+                    }
+                    let made = texture.texel(level, x, y).unwrap()[0];
+                    assert!((f64::from(made) - mean).abs() < 1e-6, "{size:?} level {level} ({x}, {y}): {made} {mean}");
+                    means.push(mean);
+                }
+                (above, width, height) = (means, w, h);
+            }
+            assert_eq!([width, height], [1, 1]);
+        }
+    }
+
+    #[test]
+    fn every_level_has_the_mean_of_the_image() {
+        for size in sizes() {
+            let texture = texture(size);
+            let mean = |level: usize| {
+                let [w, h] = texture.level_size(level).unwrap();
+                let texels = (0..h).flat_map(|y| (0..w).map(move |x| (x, y)));
+                let sum: f64 = texels.map(|(x, y)| f64::from(texture.texel(level, x, y).unwrap()[0])).sum();
+                sum / f64::from(w * h)
+            };
+            for level in 1..texture.levels() {
+                assert!((mean(level) - mean(0)).abs() < 1e-6, "{size:?} level {level}");
+            }
+        }
+    }
+
+    #[test]
+    fn even_sides_give_the_plain_mean_to_the_bit() {
+        let texture = texture([32, 8]);
+        for level in 1..4 {
+            let [w, h] = texture.level_size(level).unwrap();
+            for (y, x) in (0..h).flat_map(|y| (0..w).map(move |x| (y, x))) {
+                let above = |dx, dy| texture.texel(level - 1, 2 * x + dx, 2 * y + dy).unwrap()[0];
+                let mean = ((above(0, 0) + above(1, 0)) + (above(0, 1) + above(1, 1))) * 0.25;
+                assert_eq!(texture.texel(level, x, y).unwrap()[0].to_bits(), mean.to_bits());
+            }
+        }
+    }
+}

@@ -19,4 +19,8 @@ pub use pyramid::Texture;
 pub use sampler::{LevelFilter, PixelFilter, Sampler, Wrap};
 
 #[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "small test values")]
+mod reference;
+#[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "small test values")]
 mod tests;

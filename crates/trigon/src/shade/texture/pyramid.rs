@@ -154,3 +154,51 @@ impl fmt::Debug for Texture {
         f.debug_struct("Texture").field("desc", &self.desc).field("levels", &self.levels.len()).finish_non_exhaustive()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::MipChain;
+    use super::*;
+
+    #[test]
+    fn misuse_is_explained() {
+        let desc = TextureDesc::new([4, 2], TexelFormat::Rgba8);
+        let length = Texture::from_bytes(&desc, &[0; 31]).unwrap_err();
+        assert_eq!(length, TextureError::WrongLength { expected: 32, actual: 31 });
+        assert!(length.to_string().contains("31") && length.to_string().contains("32"));
+        assert!(Texture::from_floats(&desc, &[0.0; 32]).unwrap_err().to_string().contains("from_bytes"));
+        let float = TextureDesc::new([1, 1], TexelFormat::R32Float);
+        assert!(Texture::from_bytes(&float, &[0; 4]).unwrap_err().to_string().contains("from_floats"));
+        for size in [[0, 1], [1, 0]] {
+            let empty = Texture::from_bytes(&TextureDesc::new(size, TexelFormat::R8), &[]).unwrap_err();
+            assert_eq!(empty, TextureError::Empty { size });
+        }
+        for size in [[32_769, 1], [1, u32::MAX]] {
+            let large = Texture::from_bytes(&TextureDesc::new(size, TexelFormat::R8), &[]).unwrap_err();
+            assert_eq!(large, TextureError::TooLarge { size });
+        }
+    }
+
+    #[test]
+    fn level_zero_keeps_what_came() {
+        let bytes: Vec<u8> = (0..=255).cycle().take(9 * 7 * 4).collect();
+        let desc = TextureDesc { mips: MipChain::None, ..TextureDesc::new([9, 7], TexelFormat::Rgba8) };
+        let texture = Texture::from_bytes(&desc, &bytes).unwrap();
+        assert_eq!((texture.levels(), texture.level_size(0), texture.level_size(1)), (1, Some([9, 7]), None));
+        for (i, texel) in (0..).zip(bytes.chunks_exact(4)) {
+            let expected: Vec<f32> = texel.iter().map(|byte| texel::byte_to_unit(*byte)).collect();
+            assert_eq!(texture.texel(0, i % 9, i / 9).unwrap().to_vec(), expected);
+        }
+        assert_eq!((texture.texel(0, 9, 0), texture.texel(0, 0, 7), texture.texel(1, 0, 0)), (None, None, None));
+    }
+
+    #[test]
+    fn small_levels_of_colours_are_rounded_in_srgb() {
+        // The mean of black and white is 1/2 in linear light: code 188, not 128.
+        let desc = TextureDesc::new([2, 1], TexelFormat::Rgba8Srgb);
+        let texture = Texture::from_bytes(&desc, &[0, 0, 0, 255, 255, 255, 255, 255]).unwrap();
+        let [r, _, _, a] = texture.texel(1, 0, 0).unwrap();
+        assert!((r - trigon_image::color::srgb_to_linear(188)).abs() < 1e-5, "{r}");
+        assert_eq!(a, 1.0);
+    }
+}
