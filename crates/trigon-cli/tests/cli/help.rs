@@ -60,7 +60,7 @@ fn completions_and_manual_pages_know_the_options() {
     assert!(help("man").contains(".TH trigon 1"));
     let page = help("man render");
     assert!(page.contains(".TH trigon-render 1"), "{page}");
-    assert!(page.contains("anisotropy") && page.contains("Examples:"));
+    assert!(page.contains("anisotropy") && page.contains(".SH EXAMPLES") && page.contains("Exit codes"));
     Folder::new().run("man rendr").misuses_with(&["did you mean render?"]);
     Folder::new().run("completions tcsh").misuses_with(&["tcsh", "zsh"]);
 }

@@ -68,7 +68,7 @@ fn an_eye_at_the_framed_place_sees_the_framed_view() {
 fn near_and_far_cut_the_model() {
     let folder = Folder::with_cube();
     let area = |options: &str| {
-        let view = format!("cube.obj {SIZE} --background none --eye 1,0.5,10 --target 1,0.5,0 --cull back");
+        let view = format!("cube.obj {SIZE} --background none --eye 1,0.5,10 --target 1,0.5,0 --cull back --quiet");
         covered(&folder.picture(&format!("{view} {options}")))
     };
     let whole = area("");
