@@ -39,7 +39,7 @@ impl Texture {
     }
 
     /// The border between shaders and sampling, in memory instead of lanes: not generic, so that sampling is compiled
-    /// once per level and not into every shader. It costs 0.3 ns a pixel.
+    /// once per level and not into every shader. The price is a store and a load of each operand.
     #[inline(never)]
     fn answer(&self, level: Level, sampler: &Sampler, request: &Request) -> [[f32; LANES]; 4] {
         dispatch!(level, l => {
