@@ -110,7 +110,8 @@ fn color(image: &DecodedImage, size: [u32; 2], has_alpha: bool) -> Result<Upload
     }
     let bytes = image.clone().into_rgba8();
     let desc = TextureDesc::new(size, TexelFormat::Rgba8Srgb);
-    if has_alpha {
+    // An alpha channel that is zero everywhere was never meant as opacity.
+    if has_alpha && bytes.pixels().iter().any(|p| p[3] != 0) {
         let opacity = Opacity::of(bytes.pixels().iter().map(|p| p[3]));
         return Ok(Uploaded { texture: Texture::from_bytes(&desc, bytes.as_bytes())?, opacity });
     }
