@@ -5,6 +5,7 @@
 mod facets;
 mod normals;
 mod polygon;
+mod tangents;
 mod unify;
 mod weld;
 

@@ -61,6 +61,16 @@ impl Scene {
         }
     }
 
+    /// Makes tangents for all triangles whose material has a tangent-space normal map; see [`Mesh::generate_tangents`].
+    pub fn generate_tangents(&mut self) {
+        let has_normal_map: Vec<bool> = self.materials.iter().map(|material| material.maps.normal.is_some()).collect();
+        let needs_tangents =
+            |id: MaterialId| usize::try_from(id.0).is_ok_and(|id| has_normal_map.get(id) == Some(&true));
+        for mesh in &mut self.meshes {
+            mesh.generate_tangents(needs_tangents);
+        }
+    }
+
     /// Adds all of `other` to this scene, renumbering its ids. Keeps the camera of the first scene that has one.
     ///
     /// # Panics
