@@ -8,6 +8,9 @@ use core::fmt;
 /// Largest width and height of a target, in pixels.
 pub const MAX_SIZE: u32 = 16_384;
 
+/// Pixels along a side of a tile: the square that one thread draws from its first triangle to its stored pixels.
+pub const TILE_SIZE: usize = 64;
+
 /// Where in a pixel coverage and depth are tested.
 ///
 /// Positions are multiples of 1/256 px from the pixel's top-left corner.

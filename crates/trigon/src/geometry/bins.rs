@@ -3,7 +3,7 @@
 //! In: the triangles of one chunk. Out: one run of entries per touched tile. A counting sort keeps the order.
 
 use super::triangle::{PixelBox, SUBPIXEL, ScreenTriangle};
-use crate::raster::TILE_SIZE;
+use crate::target::TILE_SIZE;
 
 /// The entries of one tile in a chunk: `entries[start .. start + len]`.
 #[derive(Clone, Copy, Debug)]

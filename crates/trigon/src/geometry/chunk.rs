@@ -200,13 +200,11 @@ impl Emitter<'_> {
         codes: [U32<L>; 3],
         masks: &mut [u16; LANES * 16],
     ) -> LaneDecisions {
-        let zero = l.u32(0);
         let any = codes[0] | codes[1] | codes[2];
         let all = codes[0] & codes[1] & codes[2];
-        let has = |bits: U32<L>, flag: u32| -> Mask<L> { !(bits & l.u32(flag)).eq(zero) };
-        let dropped = has(any, code::BROKEN);
-        let outside = has(all, code::LEFT | code::RIGHT | code::BELOW | code::ABOVE | code::NEAR | code::FAR);
-        let clipped = has(any, code::CLIP);
+        let dropped = has_any(any, code::BROKEN);
+        let outside = has_any(all, code::LEFT | code::RIGHT | code::BELOW | code::ABOVE | code::NEAR | code::FAR);
+        let clipped = has_any(any, code::CLIP);
         let culled = match self.input.cull {
             Cull::None => l.mask(false),
             Cull::Back => !setup.front,
@@ -219,7 +217,7 @@ impl Emitter<'_> {
         if micro_bits != 0 {
             let covering =
                 micro::cover(l, &setup.corners, boxes, micro, self.input.samples.positions(), &mut masks[..]);
-            empty = empty | l.mask_from_bits(micro_bits & !covering);
+            empty |= l.mask_from_bits(micro_bits & !covering);
             micro_bits &= covering;
         }
         LaneDecisions {
@@ -399,6 +397,13 @@ impl Emitter<'_> {
             self.emit_weighted(piece.map(|k| corners[k]), piece.map(|k| weights[k]), [0, 1, 2], primitive, Cull::None);
         }
     }
+}
+
+/// Where one of the `flags` is set.
+#[inline(always)]
+fn has_any<L: Lanes>(bits: U32<L>, flags: u32) -> Mask<L> {
+    let l = bits.token();
+    !(bits & l.u32(flags)).eq(l.u32(0))
 }
 
 /// Sixteen set-up triangles, ready to be written out one by one.

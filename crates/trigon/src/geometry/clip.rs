@@ -178,6 +178,6 @@ mod tests {
         let ends = [[0.0, 0.0, 0.1, 2.0], [0.0, 0.0, 0.1, -2.0]];
         let [a, b] = clip_segment(ends, &ClipPlanes::new(VIEWPORT, 0.0)).unwrap();
         assert_eq!(a.weights, [0.0, 0.0]);
-        assert!((b.position[3] - 0.1).abs() < 1e-6, "{:?}", b);
+        assert!((b.position[3] - 0.1).abs() < 1e-6, "{b:?}");
     }
 }

@@ -154,5 +154,5 @@ pub(crate) fn project_one([x, y, z, w]: [f32; 4], half: [f32; 2]) -> Option<Scre
     let sx = ((x * inv_w) * half[0] + half[0]).round_ties_even();
     let sy = (half[1] - (y * inv_w) * half[1]).round_ties_even();
     let fits = sx.abs() <= limit && sy.abs() <= limit && w > 0.0 && inv_w < f32::INFINITY;
-    fits.then(|| ScreenVertex { x: sx as i32, y: sy as i32, depth: z * inv_w, inv_w })
+    fits.then_some(ScreenVertex { x: sx as i32, y: sy as i32, depth: z * inv_w, inv_w })
 }

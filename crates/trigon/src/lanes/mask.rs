@@ -39,6 +39,12 @@ impl<L: Lanes> Mask<L> {
         T::select(self, yes, no)
     }
 
+    /// The lanes of `values` where true, packed at the front; zero behind them.
+    #[inline(always)]
+    pub(crate) fn pack(self, values: U32<L>) -> U32<L> {
+        U32(values.token().compress_u32x16(values.0, self.0))
+    }
+
     /// One truth value per lane.
     #[inline(always)]
     pub fn to_array(self) -> [bool; LANES] {

@@ -15,6 +15,7 @@ mod gather;
 mod int;
 mod level;
 mod mask;
+mod records;
 mod token;
 mod vector;
 
@@ -29,3 +30,4 @@ pub use vector::{Mat4, Rgba, Vec2, Vec3, Vec4};
 pub(crate) use channels::{Channels, PixelColumns};
 pub(crate) use gather::fetch;
 pub(crate) use level::{dispatch, outline};
+pub(crate) use records::{Quad, columns, store_records};

@@ -8,6 +8,7 @@ mod output;
 mod renderer;
 mod shading;
 mod tile;
+mod visible;
 
 pub use draw::{Draw, Frame, FrameError, FrameStatistics, Outputs};
 pub use output::Picture;

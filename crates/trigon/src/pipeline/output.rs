@@ -4,8 +4,7 @@
 //! lock that a tile holds only while it copies its own rows; no two tiles share a pixel.
 
 use super::draw::{Frame, Outputs};
-use crate::raster::TILE_SIZE;
-use crate::target::Plane;
+use crate::target::{Plane, TILE_SIZE};
 use std::sync::{Mutex, PoisonError};
 
 /// The images of a frame: those that [`Outputs`] asked for. Reused from frame to frame where sizes agree.

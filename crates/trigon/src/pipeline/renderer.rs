@@ -8,8 +8,8 @@ use super::output::{Picture, PictureBands};
 use super::tile::{TileInput, TileWorker};
 use crate::geometry::{CHUNK_PRIMITIVES, Chunk, ChunkInput, ChunkScratch, Segment, Viewport, process_chunk};
 use crate::lanes::{SimdError, SimdLevel, dispatch};
-use crate::raster::TILE_SIZE;
 use crate::schedule::{TileOrder, share, tile_sequence};
+use crate::target::TILE_SIZE;
 use fearless_simd::Level;
 use std::time::Instant;
 

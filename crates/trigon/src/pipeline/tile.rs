@@ -5,13 +5,15 @@
 
 use super::draw::{Draw, Frame};
 use super::output::TileImages;
-use super::shading::{Shading, VisibleTriangles};
+use super::shading::{Shading, TileView};
+use super::visible::VisibleTriangles;
 use crate::geometry::{Chunk, Segment, Tags};
 use crate::lanes::{LANES, Lanes, dispatch, outline};
 use crate::raster::{
-    BLOCK_SIZE, BLOCKS, BLOCKS_PER_SIDE, TILE_SIZE, Tile, TileTriangle, commit, draw_micro, draw_opaque, fill_masks,
+    BLOCK_SIZE, BLOCKS, BLOCKS_PER_SIDE, BlockState, Tile, TileTriangle, commit, draw_micro, draw_opaque, fill_masks,
 };
 use crate::resolve::{ColorBlock, encode_srgb8, resolve};
+use crate::target::TILE_SIZE;
 use fearless_simd::Level;
 
 /// What every tile of a frame needs.
@@ -69,11 +71,20 @@ impl TileState {
         Self {
             tile: Tile::new(samples),
             visible: VisibleTriangles::default(),
-            shading: Shading::default(),
+            shading: Shading::new(samples),
             colors: Vec::new(),
             images: TileImages::new(frame.outputs, samples.len()),
             samples,
             outputs: frame.outputs,
+        }
+    }
+
+    /// One cleared block of colours for each of the tile's where colours are kept, else one for all.
+    fn prepare_colors(&mut self, keeps_colors: bool, frame: &Frame) {
+        let blocks = if keeps_colors { BLOCKS } else { 1 };
+        self.colors.resize_with(blocks, || ColorBlock::new(frame.samples.count()));
+        if keeps_colors {
+            self.colors.iter_mut().for_each(|block| block.clear(frame.clear));
         }
     }
 }
@@ -84,25 +95,17 @@ fn draw_tile<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, segme
     let extent = [frame.samples.extent(0), frame.samples.extent(1)];
     let shades = frame.outputs.any_color();
     state.visible.clear();
-    let is_ordered = |&(chunk, _): &(u32, Segment)| {
-        let draw = &input.draws[input.chunks[chunk as usize].draw as usize];
-        shades && draw.is_ordered()
-    };
-    let keeps_colors = segments.iter().any(is_ordered);
-    let blocks = if keeps_colors { BLOCKS } else { 1 };
-    state.colors.resize_with(blocks, || ColorBlock::new(frame.samples.count()));
-    if keeps_colors {
-        state.colors.iter_mut().for_each(|block| block.clear(frame.clear));
-    }
+    let keeps_colors = shades && has_ordered(input, segments);
+    state.prepare_colors(keeps_colors, frame);
 
     for (chunk_number, segment) in segments {
         let chunk = &input.chunks[*chunk_number as usize];
         let draw = &input.draws[chunk.draw as usize];
         let entries = &chunk.entries[segment.start as usize..(segment.start + segment.len) as usize];
-        let first = state.visible.extend(*chunk_number, entries);
+        let first = state.visible.extend(*chunk_number, chunk.draw, entries);
         if draw.is_ordered() {
             if shades {
-                flush(state, input);
+                flush(l, state, input);
             }
             draw_ordered(l, state, input, draw, first, extent);
         } else if draw.shader.can_discard() {
@@ -112,11 +115,11 @@ fn draw_tile<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, segme
         }
     }
     if shades {
-        state.visible.prepare(input, &state.tile);
+        state.visible.prepare(l, input, &state.tile);
         finish_colors(l, state, input, keeps_colors);
     }
     if frame.outputs.any_beside_color() {
-        state.visible.prepare(input, &state.tile);
+        state.visible.prepare(l, input, &state.tile);
         beside_color(l, state, input);
     }
 }
@@ -146,15 +149,28 @@ fn draw_opaque_run<L: Lanes>(
     }
 }
 
+/// True if a draw of the tile must be shaded in submission order.
+fn has_ordered(input: &TileInput<'_>, segments: &[(u32, Segment)]) -> bool {
+    segments.iter().any(|(chunk, _)| input.draws[input.chunks[*chunk as usize].draw as usize].is_ordered())
+}
+
 /// Shades what is visible and not shaded yet, into the tile's colours.
-fn flush(state: &mut TileState, input: &TileInput<'_>) {
+#[inline(always)]
+fn flush<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>) {
     if state.visible.has_unshaded() {
-        state.visible.prepare(input, &state.tile);
+        state.visible.prepare(l, input, &state.tile);
         for b in 0..BLOCKS {
-            state.shading.shade_block(input, &state.tile, &state.visible, b, &mut state.colors[b]);
+            shade_block(l, state, input, b, b);
         }
         state.visible.mark_shaded();
     }
+}
+
+/// Shades block `b` into `colors[to]`.
+#[inline(never)]
+fn shade_block<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, b: usize, to: usize) {
+    let TileState { tile, visible, shading, colors, .. } = state;
+    outline!(l => shading.shade_block(l, TileView { input, tile, visible, b }, &mut colors[to]));
 }
 
 /// Triangles that blend or discard: one after the other, shaded (or at least tested) before they are written.
@@ -170,7 +186,7 @@ fn draw_ordered<L: Lanes>(
     let shades = draw.is_ordered() && input.frame.outputs.any_color();
     let discards = draw.shader.can_discard();
     if shades || discards {
-        state.visible.prepare_from(input, first);
+        state.visible.prepare_from(l, input, first);
     }
     for id in first..state.visible.len() {
         let triangle = *state.visible.lookup(input).get(id);
@@ -185,13 +201,15 @@ fn draw_ordered<L: Lanes>(
                 continue;
             }
             if discards {
-                state.shading.discard(input, &state.tile, &state.visible, b, id, &mut masks);
+                let TileState { tile, visible, shading, .. } = &mut *state;
+                outline!(l => shading.discard(l, TileView { input, tile, visible, b }, id, &mut masks));
             }
             let shown = (!draw.is_ordered()).then_some(id);
             commit(l, &mut state.tile, b, &t, &masks, shown, draw.depth.write);
             if shades {
-                let colors = &mut state.colors[b];
-                state.shading.blend_block(input, &state.tile, &state.visible, b, id, &masks, colors, draw.blend);
+                let TileState { tile, visible, shading, colors, .. } = &mut *state;
+                let view = TileView { input, tile, visible, b };
+                outline!(l => shading.blend_block(l, view, id, &masks, &mut colors[b]));
             }
         }
     }
@@ -203,13 +221,32 @@ fn draw_ordered<L: Lanes>(
 /// Shades, resolves and encodes every block.
 #[inline(always)]
 fn finish_colors<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, keeps_colors: bool) {
+    let [r, g, b, a] = input.frame.clear;
+    let clear = encode_srgb8(l, l.vec3([r, g, b]).rgba(a))[0];
     for b in 0..BLOCKS {
-        let colors = if keeps_colors { &mut state.colors[b] } else { &mut state.colors[0] };
+        let to = if keeps_colors { b } else { 0 };
         if !keeps_colors {
-            colors.clear(input.frame.clear);
+            if state.tile.state(b) == BlockState::Clear {
+                clear_block(&mut state.images, b, clear, input.frame.clear);
+                continue;
+            }
+            state.colors[to].clear(input.frame.clear);
         }
-        state.shading.shade_block(input, &state.tile, &state.visible, b, colors);
-        store_block(l, colors, &mut state.images, b);
+        shade_block(l, state, input, b, to);
+        store_block(l, &state.colors[to], &mut state.images, b);
+    }
+}
+
+/// Writes the clear colour to a block's pixels.
+fn clear_block(images: &mut TileImages, b: usize, color: [u8; 4], linear: [f32; 4]) {
+    let first = b / BLOCKS_PER_SIDE * BLOCK_SIZE * TILE_SIZE + b % BLOCKS_PER_SIDE * BLOCK_SIZE;
+    for at in (first..).step_by(TILE_SIZE).take(BLOCK_SIZE) {
+        if let Some(row) = images.color.values.get_mut(at..at + BLOCK_SIZE) {
+            row.fill(color);
+        }
+        if let Some(row) = images.color_f32.values.get_mut(at..at + BLOCK_SIZE) {
+            row.fill(linear);
+        }
     }
 }
 
@@ -241,6 +278,7 @@ fn store_block<L: Lanes>(l: L, colors: &ColorBlock, images: &mut TileImages, b: 
 fn beside_color<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>) {
     for b in 0..BLOCKS {
         state.tile.expand(l, b, &state.visible.lookup(input));
-        state.shading.beside_color(input, &state.tile, &state.visible, b, &mut state.images);
+        let TileState { tile, visible, shading, images, .. } = &mut *state;
+        outline!(l => shading.beside_color(l, TileView { input, tile, visible, b }, images));
     }
 }

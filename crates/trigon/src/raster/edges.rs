@@ -5,9 +5,10 @@
 //! |A| + |B| <= 2^24 inside the guard band, 63 steps change it by less than 2^30; so a clamped base keeps its sign
 //! all over the tile, and no sum leaves `i32`.
 
-use super::tile::{BLOCK_SIZE, GROUPS, TILE_SIZE};
+use super::tile::{BLOCK_SIZE, GROUPS};
 use crate::geometry::{SUBPIXEL, ScreenTriangle};
 use crate::lanes::{I32, Lanes};
+use crate::target::TILE_SIZE;
 
 const BASE_LIMIT: i64 = 1 << 30;
 

@@ -2,9 +2,10 @@
 //!
 //! In: a triangle whose box is at most 4 x 4 pixels, and its masks. Out: the tile. Work is per covered sample.
 
-use super::tile::{BLOCK_SIZE, BLOCKS_PER_SIDE, GROUPS, TILE_SIZE, Tile, TriangleLookup, from_corner};
+use super::tile::{BLOCK_SIZE, BLOCKS_PER_SIDE, GROUPS, Tile, TriangleLookup, from_corner};
 use crate::geometry::ScreenTriangle;
 use crate::lanes::{LANES, Lanes};
+use crate::target::TILE_SIZE;
 
 /// Draws an opaque micro-triangle with one coverage mask per sample (see [`Tags::MICRO`](crate::geometry::Tags)).
 #[inline(always)]

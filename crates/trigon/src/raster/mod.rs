@@ -13,8 +13,8 @@ mod triangle;
 
 pub use block::{PassMasks, commit, fill_masks};
 pub use edges::BlockMasks;
+pub(crate) use edges::MAX_SAMPLES;
 pub use micro::draw_micro;
-pub use tile::{
-    BLOCK_PIXELS, BLOCK_SIZE, BLOCKS, BLOCKS_PER_SIDE, BlockState, NO_TRIANGLE, TILE_SIZE, Tile, TriangleLookup,
-};
+pub(crate) use tile::GROUPS;
+pub use tile::{BLOCK_PIXELS, BLOCK_SIZE, BLOCKS, BLOCKS_PER_SIDE, BlockState, NO_TRIANGLE, Tile, TriangleLookup};
 pub use triangle::{DepthCompare, DepthTest, TileTriangle, draw_opaque};

@@ -6,9 +6,8 @@
 
 use crate::geometry::ScreenTriangle;
 use crate::lanes::{LANES, Lanes, outline};
+use crate::target::TILE_SIZE;
 
-/// Pixels along a side of a tile.
-pub const TILE_SIZE: usize = 64;
 /// Pixels along a side of a block.
 pub const BLOCK_SIZE: usize = 8;
 /// Blocks along a side of a tile.
@@ -100,6 +99,13 @@ impl Tile {
     pub fn block_ids(&self, b: usize, s: usize) -> &[u32] {
         let at = self.group(b, s);
         self.ids[at..at + GROUPS].as_flattened()
+    }
+
+    /// The triangles of all samples of a `Full` block: lane group `g` of sample `s` is element `s * GROUPS + g`.
+    #[inline(always)]
+    pub(crate) fn block_planes(&self, b: usize) -> &[[u32; LANES]] {
+        let at = self.group(b, 0);
+        &self.ids[at..at + GROUPS * self.samples.len()]
     }
 
     /// The depths of sample `s` of a `Full` block, pixel by pixel.

@@ -4,11 +4,10 @@
 //! accepted at their corners, and by the depth bounds that every block keeps.
 
 use super::edges::{BlockMasks, TileEdges};
-use super::tile::{
-    BLOCK_SIZE, BLOCKS_PER_SIDE, BlockState, DepthPlane, GROUPS, TILE_SIZE, Tile, TriangleLookup, from_corner,
-};
+use super::tile::{BLOCK_SIZE, BLOCKS_PER_SIDE, BlockState, DepthPlane, GROUPS, Tile, TriangleLookup, from_corner};
 use crate::geometry::{PixelBox, ScreenTriangle};
 use crate::lanes::{I32, Lanes, Mask, outline};
+use crate::target::TILE_SIZE;
 
 /// Which depths replace the stored one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -79,7 +78,7 @@ impl<'a, L: Lanes> TileTriangle<'a, L> {
         let (x0, x1, y0, y1) = (x0 / size, x1 / size, y0 / size, y1 / size);
         let columns = (0xffu64 >> (7 - (x1 - x0))) << x0;
         let rows = (u64::MAX >> (8 * (7 - (y1 - y0)))) << (8 * y0);
-        let in_box = columns * 0x0101_0101_0101_0101 & rows;
+        let in_box = (columns * 0x0101_0101_0101_0101) & rows;
         // Two blocks or fewer: testing their pixels costs less than testing all corners.
         if in_box.count_ones() <= 2 {
             return BlockMasks { touched: in_box, covered: 0 };
@@ -181,7 +180,7 @@ fn test_samples<L: Lanes, const COVERED: bool>(l: L, tile: &mut Tile, b: usize, 
             let depth = plane.at(l, g);
             let mut pass = depth.gt(old);
             if !COVERED {
-                pass = pass & t.covered(l, &bases, g);
+                pass &= t.covered(l, &bases, g);
             }
             let new = pass.select(depth, old);
             farthest = farthest.min(new);

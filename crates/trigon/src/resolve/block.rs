@@ -3,8 +3,9 @@
 //! In: shaded fragments. Out: colours to resolve. Linear light, premultiplied.
 
 use crate::lanes::{LANES, Lanes, Rgba};
-use crate::raster::{BLOCK_PIXELS, NO_TRIANGLE};
-use crate::shade::{ColorGroup, Destination};
+use crate::raster::{BLOCK_PIXELS, GROUPS};
+use crate::shade::{ColorGroup, FragmentList, Placement};
+use core::ops::{Add, Mul};
 
 /// How a fragment's colour (source) and the stored one (destination) combine, sample by sample.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -20,8 +21,8 @@ pub enum Blend {
     Multiply,
 }
 
-/// Red, green, blue and alpha of a block's pixels.
-type Plane = [[f32; BLOCK_PIXELS]; 4];
+/// One sample of a block's pixels: red, green, blue and alpha of sixteen pixels at a time.
+type Plane = [ColorGroup; GROUPS];
 
 /// Colours of one block.
 pub struct ColorBlock {
@@ -33,15 +34,18 @@ impl ColorBlock {
     /// A block whose pixels have `samples` samples.
     #[must_use]
     pub fn new(samples: usize) -> Self {
-        Self { planes: vec![[[0.0; BLOCK_PIXELS]; 4]; samples], is_per_sample: false }
+        Self { planes: vec![[[[0.0; LANES]; 4]; GROUPS]; samples], is_per_sample: false }
     }
 
     /// Sets every sample to one colour.
     pub fn clear(&mut self, color: [f32; 4]) {
         self.is_per_sample = false;
-        for (channel, value) in self.planes[0].iter_mut().zip(color) {
-            channel.fill(value);
-        }
+        self.planes[0] = [color.map(|value| [value; LANES]); GROUPS];
+    }
+
+    /// Every sample is going to be replaced: nothing of what is there will be seen.
+    pub(crate) fn forget(&mut self) {
+        self.is_per_sample = false;
     }
 
     /// True if samples of a pixel can differ.
@@ -50,92 +54,85 @@ impl ColorBlock {
         self.is_per_sample
     }
 
-    /// Colours of sample `s`; of every sample, if the block is not per sample.
-    #[must_use]
-    pub fn plane(&self, s: usize) -> &[[f32; BLOCK_PIXELS]; 4] {
-        &self.planes[s]
-    }
-
     /// Gives each sample its own value.
+    #[inline(never)]
     fn expand(&mut self) {
-        if !self.is_per_sample {
-            if let Some((first, rest)) = self.planes.split_first_mut() {
-                rest.fill(*first);
-            }
-            self.is_per_sample = true;
+        if let Some((first, rest)) = self.planes.split_first_mut() {
+            rest.fill(*first);
         }
+        self.is_per_sample = true;
     }
 
-    /// Sets all pixels, every sample alike: lane groups in pixel order.
-    pub(crate) fn fill(&mut self, colors: &[ColorGroup]) {
-        self.is_per_sample = false;
-        for (g, group) in colors.iter().enumerate() {
-            for (channel, values) in self.planes[0].iter_mut().zip(group) {
-                channel[g * LANES..(g + 1) * LANES].copy_from_slice(values);
-            }
-        }
-    }
-
-    /// Stores the colours of fragments at their destinations.
-    pub(crate) fn store(&mut self, destinations: &[Destination], colors: &[ColorGroup]) {
-        let all = self.all_samples();
-        let is_whole = destinations.iter().all(|d| d.samples == all);
-        if !is_whole {
-            self.expand();
-        }
-        for (i, d) in destinations.iter().enumerate() {
-            let (group, lane, pixel) = (&colors[i / LANES], i % LANES, usize::from(d.pixel));
-            let color = [group[0][lane], group[1][lane], group[2][lane], group[3][lane]];
-            if self.is_per_sample {
-                let mut rest = d.samples;
-                while rest != 0 {
-                    write(&mut self.planes[rest.trailing_zeros() as usize], pixel, color);
-                    rest &= rest - 1;
+    /// Combines the colours of the listed fragments with what is there. No sample is listed twice.
+    #[inline(always)]
+    pub(crate) fn merge<L: Lanes>(&mut self, l: L, list: &FragmentList, colors: &[ColorGroup], blend: Blend) {
+        for (placement, color) in list.placements().iter().zip(colors) {
+            match *placement {
+                Placement::InPlace { group, masks } => {
+                    self.merge_in_place(l, group, list.masks(masks, self.planes.len()), color, blend);
                 }
-            } else {
-                write(&mut self.planes[0], pixel, color);
+                Placement::Packed { first, count } => self.merge_packed(list, first, count, color, blend),
             }
         }
     }
 
-    /// Blends the colours of fragments into their destinations, which must be distinct.
-    pub(crate) fn blend(&mut self, destinations: &[Destination], colors: &[ColorGroup], blend: Blend) {
-        let all = self.all_samples();
-        if !destinations.iter().all(|d| d.samples == all) {
+    #[inline(always)]
+    fn merge_in_place<L: Lanes>(&mut self, l: L, group: usize, masks: &[u16], color: &ColorGroup, blend: Blend) {
+        let mut differ = 0;
+        for mask in masks {
+            differ |= mask ^ masks[0];
+        }
+        if differ != 0 && !self.is_per_sample {
             self.expand();
         }
-        for (i, d) in destinations.iter().enumerate() {
-            debug_assert!(d.id != NO_TRIANGLE);
-            let (group, lane, pixel) = (&colors[i / LANES], i % LANES, usize::from(d.pixel));
-            let source = [group[0][lane], group[1][lane], group[2][lane], group[3][lane]];
-            let mut rest = if self.is_per_sample { d.samples } else { 1 };
-            while rest != 0 {
-                let plane = &mut self.planes[rest.trailing_zeros() as usize];
-                let old = [plane[0][pixel], plane[1][pixel], plane[2][pixel], plane[3][pixel]];
-                write(plane, pixel, combine(blend, source, old));
-                rest &= rest - 1;
+        let source = lanes_of(l, color);
+        let planes = if self.is_per_sample { self.planes.len() } else { 1 };
+        for (plane, bits) in self.planes.iter_mut().zip(masks).take(planes) {
+            if *bits == 0 {
+                continue;
+            }
+            let (mask, stored) = (l.mask_from_bits(*bits), &mut plane[group]);
+            let old = lanes_of(l, stored);
+            let one_minus_alpha = 1.0 - source[3];
+            let new = combine(blend, source, one_minus_alpha, old);
+            for c in 0..4 {
+                mask.select(new[c], old[c]).store(&mut stored[c]);
             }
         }
     }
 
-    fn all_samples(&self) -> u16 {
-        u16::MAX >> (16 - self.planes.len())
+    #[inline(always)]
+    fn merge_packed(&mut self, list: &FragmentList, first: usize, count: usize, color: &ColorGroup, blend: Blend) {
+        let all = u32::from(u16::MAX >> (16 - self.planes.len()));
+        for lane in 0..count {
+            let destination = list.destination(first + lane);
+            let (pixel, mut rest) = (destination.pixel(), destination.samples());
+            if !self.is_per_sample {
+                if rest != all {
+                    self.expand();
+                } else {
+                    rest = 1;
+                }
+            }
+            let source = [color[0][lane], color[1][lane], color[2][lane], color[3][lane]];
+            while rest != 0 {
+                let stored = &mut self.planes[rest.trailing_zeros() as usize][pixel / LANES];
+                rest &= rest - 1;
+                let at = pixel % LANES;
+                let old = [stored[0][at], stored[1][at], stored[2][at], stored[3][at]];
+                let new = combine(blend, source, 1.0 - source[3], old);
+                for c in 0..4 {
+                    stored[c][at] = new[c];
+                }
+            }
+        }
     }
 
     /// Colours of sample `s` of the sixteen pixels of lane group `g`.
     #[inline(always)]
     pub(crate) fn lanes<L: Lanes>(&self, l: L, s: usize, g: usize) -> Rgba<L> {
-        let plane = &self.planes[s];
-        let groups = plane.each_ref().map(
-            #[inline(always)]
-            |channel| channel.as_chunks::<LANES>().0,
-        );
-        Rgba {
-            r: l.f32_array(&groups[0][g]),
-            g: l.f32_array(&groups[1][g]),
-            b: l.f32_array(&groups[2][g]),
-            a: l.f32_array(&groups[3][g]),
-        }
+        let [r, g, b, a] = lanes_of(l, &self.planes[s][g]);
+        Rgba { r, g, b, a }
     }
 
     /// Samples of a pixel.
@@ -143,23 +140,31 @@ impl ColorBlock {
     pub(crate) fn sample_count(&self) -> usize {
         self.planes.len()
     }
-}
 
-#[inline(always)]
-fn write(plane: &mut Plane, pixel: usize, color: [f32; 4]) {
-    for c in 0..4 {
-        plane[c][pixel] = color[c];
+    /// Colour of sample `s` of a pixel.
+    #[must_use]
+    pub fn get(&self, s: usize, pixel: usize) -> [f32; 4] {
+        debug_assert!(pixel < BLOCK_PIXELS);
+        let plane = if self.is_per_sample { s } else { 0 };
+        self.planes[plane][pixel / LANES].map(|channel| channel[pixel % LANES])
     }
 }
 
 #[inline(always)]
-fn combine(blend: Blend, [r, g, b, a]: [f32; 4], [dr, dg, db, da]: [f32; 4]) -> [f32; 4] {
+fn lanes_of<L: Lanes>(l: L, group: &ColorGroup) -> [crate::lanes::F32<L>; 4] {
+    [l.f32_array(&group[0]), l.f32_array(&group[1]), l.f32_array(&group[2]), l.f32_array(&group[3])]
+}
+
+/// The one formula, for one fragment and for sixteen.
+#[inline(always)]
+fn combine<T>(blend: Blend, [r, g, b, a]: [T; 4], one_minus_alpha: T, [dr, dg, db, da]: [T; 4]) -> [T; 4]
+where
+    T: Copy + Add<Output = T> + Mul<Output = T>,
+{
+    let t = one_minus_alpha;
     match blend {
         Blend::Replace => [r, g, b, a],
-        Blend::Over => {
-            let t = 1.0 - a;
-            [r + dr * t, g + dg * t, b + db * t, a + da * t]
-        }
+        Blend::Over => [r + dr * t, g + dg * t, b + db * t, a + da * t],
         Blend::Add => [r + dr, g + dg, b + db, a + da],
         Blend::Multiply => [r * dr, g * dg, b * db, da],
     }

@@ -1,7 +1,8 @@
 //! From visible triangles to interpolation coefficients.
 //!
-//! In: up to sixteen triangles of one draw and their vertices' varyings. Out: one [`LANES`]-wide row per coefficient,
-//! lane k for triangle k. Made once per tile for triangles that are visible there, and for no others.
+//! In: up to sixteen triangles of one draw and their vertices' varyings. Out: a record per triangle, its coefficients
+//! side by side. Made once per tile for triangles that are visible there, and for no others. Sixteen fragments of any
+//! triangles then turn their records into rows, one register per coefficient.
 //!
 //! With `L1 = b1/w`, `L2 = b2/w` and `W = 1/w` linear in the framebuffer (Blinn, "Hyperbolic Interpolation", 1992), a
 //! fragment needs one division for `b1`, `b2`; every varying is then `a + (b1 * d1 + b2 * d2)`, and its derivatives
@@ -10,7 +11,7 @@
 use super::shader::{Fragment, Shader};
 use super::varying::{CornerSink, FragmentSource, Varying};
 use crate::geometry::{SUBPIXEL, ScreenTriangle};
-use crate::lanes::{F32, LANES, Lanes, U32, Vec2, Vec3};
+use crate::lanes::{F32, LANES, Lanes, Quad, U32, Vec2, Vec3, columns, outline, store_records};
 
 /// Rows that every shader has, before those of its varyings.
 const ROW_CORNER: usize = 0;
@@ -25,11 +26,17 @@ const ROW_VARYINGS: usize = 16;
 /// Rows per varying component: the value at corner 0, and the differences to it at corners 1 and 2.
 const ROWS_PER_COMPONENT: usize = 3;
 
-/// How many rows a shader's triangles need.
+/// Numbers of one triangle, in quads: the length of a record.
 #[inline(always)]
-pub(crate) fn row_count(components: usize) -> usize {
-    ROW_VARYINGS + ROWS_PER_COMPONENT * components
+pub(crate) fn record_quads(components: usize) -> usize {
+    (ROW_VARYINGS + ROWS_PER_COMPONENT * components).div_ceil(4)
 }
+
+/// Most rows of any shader.
+const MAX_ROWS: usize = ROW_VARYINGS + ROWS_PER_COMPONENT * MAX_COMPONENTS;
+
+/// One row per coefficient, lane by lane.
+pub type Rows = [[f32; LANES]; MAX_ROWS];
 
 /// Up to sixteen triangles of one draw.
 pub struct TriangleGroup {
@@ -44,6 +51,8 @@ pub struct TriangleGroup {
 impl TriangleGroup {
     /// Weights where corner k is vertex k.
     pub(crate) const UNCLIPPED: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    /// Rows before any were made.
+    pub(crate) const NO_ROWS: Rows = [[0.0; LANES]; MAX_ROWS];
 }
 
 impl Default for TriangleGroup {
@@ -56,9 +65,9 @@ impl Default for TriangleGroup {
     }
 }
 
-/// Fills `rows`, which has [`row_count`] rows.
+/// Fills the rows of a shader's sixteen triangles.
 #[inline(always)]
-pub(crate) fn compute<L: Lanes, S: Shader>(l: L, shader: &S, group: &TriangleGroup, rows: &mut [[f32; LANES]]) {
+pub(crate) fn compute<L: Lanes, S: Shader>(l: L, shader: &S, group: &TriangleGroup, rows: &mut Rows) {
     planes(l, group, rows);
     let corners = [
         shader.vertex(l, l.u32_array(&group.vertices[0])).varying,
@@ -68,9 +77,18 @@ pub(crate) fn compute<L: Lanes, S: Shader>(l: L, shader: &S, group: &TriangleGro
     Varying::write(corners, &mut RowSink { rows, next: ROW_VARYINGS });
 }
 
+/// Turns the first rows into sixteen records of `quads` quads, one after the other.
+#[inline(always)]
+pub(crate) fn store_rows<L: Lanes>(l: L, rows: &Rows, records: &mut [Quad], quads: usize) {
+    for (q, four) in rows.as_chunks::<4>().0.iter().take(quads).enumerate() {
+        let columns = [l.f32_array(&four[0]), l.f32_array(&four[1]), l.f32_array(&four[2]), l.f32_array(&four[3])];
+        store_records(l, columns, &mut records[q..], quads);
+    }
+}
+
 /// The rows before the varyings.
 #[inline(always)]
-fn planes<L: Lanes>(l: L, group: &TriangleGroup, rows: &mut [[f32; LANES]]) {
+fn planes<L: Lanes>(l: L, group: &TriangleGroup, rows: &mut Rows) {
     let mut c = CornerArrays::default();
     for (lane, t) in group.triangles.iter().enumerate() {
         c.set(lane, t);
@@ -160,18 +178,18 @@ impl<L: Lanes> CornerSink<L> for RowSink<'_> {
 /// Most varying components of a shader.
 pub(crate) const MAX_COMPONENTS: usize = 32;
 
-/// The rows of sixteen fragments: row by row, each lane from its own triangle.
+/// The rows of sixteen fragments, each lane from its own triangle.
 ///
 /// Fragments of one triangle and of many then read alike, and the shader is compiled once for both.
 pub struct FragmentRows {
-    rows: [[f32; LANES]; ROW_VARYINGS + ROWS_PER_COMPONENT * MAX_COMPONENTS],
+    rows: Rows,
     /// The one triangle that every lane shows, if it is one.
     single: Option<u32>,
 }
 
 impl Default for FragmentRows {
     fn default() -> Self {
-        Self { rows: [[0.0; LANES]; ROW_VARYINGS + ROWS_PER_COMPONENT * MAX_COMPONENTS], single: None }
+        Self { rows: [[0.0; LANES]; MAX_ROWS], single: None }
     }
 }
 
@@ -181,25 +199,46 @@ impl FragmentRows {
         self.single = None;
     }
 
-    /// Fetches the rows of sixteen fragments. A slot is where the first row of a triangle is in `all`, as floats.
-    pub(crate) fn fetch(&mut self, all: &[[f32; LANES]], slots: &[u32; LANES], count: usize) {
+    /// Fetches the records of sixteen fragments. A slot is the number of a record's first quad in `records`.
+    ///
+    /// Never inlined: it is the same for all shaders.
+    #[inline(never)]
+    pub(crate) fn fetch<L: Lanes>(&mut self, l: L, records: &[Quad], slots: &[u32; LANES], quads: usize) {
         let first = slots[0];
-        let is_single = slots.iter().fold(0, |differ, slot| differ | (slot ^ first)) == 0;
+        let is_single = slots.iter().fold(0, |differ, slot| differ | (slot ^ first)) == 0; // tidy: allow(lane-closure): integers of one lane
         if is_single && self.single == Some(first) {
             return;
         }
         self.single = is_single.then_some(first);
         if is_single {
-            let (row, lane) = (first as usize / LANES, first as usize % LANES);
-            for (to, from) in self.rows.iter_mut().zip(&all[row..row + count]) {
-                *to = [from[lane]; LANES];
-            }
+            outline!(l => self.spread(l, &records[first as usize..first as usize + quads]));
         } else {
-            for (i, slot) in slots.iter().enumerate() {
-                let (row, lane) = (*slot as usize / LANES, *slot as usize % LANES);
-                for (to, from) in self.rows.iter_mut().zip(&all[row..row + count]) {
-                    to[i] = from[lane];
-                }
+            outline!(l => self.transpose(l, records, slots, quads));
+        }
+    }
+
+    /// One record in every lane.
+    #[inline(always)]
+    fn spread<L: Lanes>(&mut self, l: L, record: &[Quad]) {
+        for (to, from) in self.rows.iter_mut().zip(record.as_flattened()) {
+            l.f32(*from).store(to);
+        }
+    }
+
+    /// A record per lane.
+    #[inline(always)]
+    fn transpose<L: Lanes>(&mut self, l: L, records: &[Quad], slots: &[u32; LANES], quads: usize) {
+        let mut starts: [&[Quad]; LANES] = [&[]; LANES];
+        for (start, slot) in starts.iter_mut().zip(slots) {
+            *start = &records[*slot as usize..*slot as usize + quads];
+        }
+        for (q, four) in self.rows.as_chunks_mut::<4>().0.iter_mut().take(quads).enumerate() {
+            let mut quad = [&[0.0; 4]; LANES];
+            for (quad, start) in quad.iter_mut().zip(starts) {
+                *quad = &start[q];
+            }
+            for (row, column) in four.iter_mut().zip(columns(l, &quad)) {
+                column.store(row);
             }
         }
     }

@@ -3,17 +3,17 @@
 //! In: batches of work for one shader. Out: positions, coefficients, colours. Each method enters the shader's code at
 //! the frame's SIMD level once per batch.
 
-use super::coefficients::{FragmentRows, MAX_COMPONENTS, TriangleGroup, compute, interpolate, row_count};
+use super::coefficients::{FragmentRows, MAX_COMPONENTS, Rows, TriangleGroup, compute, interpolate, record_quads};
 use super::fragments::{ColorGroup, FragmentRange, SurfaceGroup};
 use super::shader::{Fragment, Shader};
 use super::varying::Varying;
 use crate::geometry::ClipPositions;
-use crate::lanes::{LANES, Lanes, Vec2, dispatch};
+use crate::lanes::{LANES, Lanes, Quad, Vec2, dispatch};
 use fearless_simd::Level;
 
 /// Fragments of one draw, and the coefficients of its triangles.
 pub struct FragmentBatch<'a> {
-    pub(crate) rows: &'a [[f32; LANES]],
+    pub(crate) records: &'a [Quad],
     pub(crate) fragments: FragmentRange<'a>,
     pub(crate) fetched: &'a mut FragmentRows,
 }
@@ -22,10 +22,10 @@ pub struct FragmentBatch<'a> {
 pub trait ErasedShader: Sync {
     /// Clip positions of the vertices `indices`.
     fn positions(&self, level: Level, indices: &[u32], out: &mut ClipPositions);
-    /// Coefficient rows per group of triangles.
-    fn rows(&self) -> usize;
+    /// Quads in the record of a triangle's coefficients.
+    fn quads(&self) -> usize;
     /// Coefficients of up to sixteen triangles.
-    fn coefficients(&self, level: Level, group: &TriangleGroup, rows: &mut [[f32; LANES]]);
+    fn coefficients(&self, level: Level, group: &TriangleGroup, rows: &mut Rows);
     /// Colours of fragments, one group of sixteen after the other.
     fn shade(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [ColorGroup]);
     /// Which fragments exist, one bit per lane.
@@ -41,24 +41,24 @@ impl<S: Shader> ErasedShader for S {
         dispatch!(level, l => positions(l, self, indices, out));
     }
 
-    fn rows(&self) -> usize {
-        row_count(<S::Varying<fearless_simd::Fallback> as Varying<fearless_simd::Fallback>>::COMPONENTS)
+    fn quads(&self) -> usize {
+        record_quads(<S::Varying<fearless_simd::Fallback> as Varying<fearless_simd::Fallback>>::COMPONENTS)
     }
 
-    fn coefficients(&self, level: Level, group: &TriangleGroup, rows: &mut [[f32; LANES]]) {
+    fn coefficients(&self, level: Level, group: &TriangleGroup, rows: &mut Rows) {
         dispatch!(level, l => compute(l, self, group, rows));
     }
 
     fn shade(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [ColorGroup]) {
-        dispatch!(level, l => shade(l, self, batch.rows, &batch.fragments, batch.fetched, out));
+        dispatch!(level, l => shade(l, self, batch.records, &batch.fragments, batch.fetched, out));
     }
 
     fn keep(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [u16]) {
-        dispatch!(level, l => keep(l, self, batch.rows, &batch.fragments, batch.fetched, out));
+        dispatch!(level, l => keep(l, self, batch.records, &batch.fragments, batch.fetched, out));
     }
 
     fn surfaces(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [SurfaceGroup]) {
-        dispatch!(level, l => surfaces(l, self, batch.rows, &batch.fragments, batch.fetched, out));
+        dispatch!(level, l => surfaces(l, self, batch.records, &batch.fragments, batch.fetched, out));
     }
 
     fn can_discard(&self) -> bool {
@@ -92,14 +92,14 @@ fn place<L: Lanes, S: Shader>(l: L, shader: &S, indices: &[u32; LANES], out: &mu
 fn shade<L: Lanes, S: Shader>(
     l: L,
     shader: &S,
-    rows: &[[f32; LANES]],
+    records: &[Quad],
     f: &FragmentRange<'_>,
     fetched: &mut FragmentRows,
     out: &mut [ColorGroup],
 ) {
     fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
-        let color = shader.fragment(l, &fragment::<L, S>(l, fetched, rows, f, g));
+        let color = shader.fragment(l, &fragment::<L, S>(l, fetched, records, f, g));
         color.r.store(&mut out[0]);
         color.g.store(&mut out[1]);
         color.b.store(&mut out[2]);
@@ -111,14 +111,14 @@ fn shade<L: Lanes, S: Shader>(
 fn keep<L: Lanes, S: Shader>(
     l: L,
     shader: &S,
-    rows: &[[f32; LANES]],
+    records: &[Quad],
     f: &FragmentRange<'_>,
     fetched: &mut FragmentRows,
     out: &mut [u16],
 ) {
     fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
-        *out = shader.keep(l, &fragment::<L, S>(l, fetched, rows, f, g)).bits();
+        *out = shader.keep(l, &fragment::<L, S>(l, fetched, records, f, g)).bits();
     }
 }
 
@@ -126,14 +126,14 @@ fn keep<L: Lanes, S: Shader>(
 fn surfaces<L: Lanes, S: Shader>(
     l: L,
     shader: &S,
-    rows: &[[f32; LANES]],
+    records: &[Quad],
     f: &FragmentRange<'_>,
     fetched: &mut FragmentRows,
     out: &mut [SurfaceGroup],
 ) {
     fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
-        let s = shader.surface(l, &fragment::<L, S>(l, fetched, rows, f, g));
+        let s = shader.surface(l, &fragment::<L, S>(l, fetched, records, f, g));
         let values = [s.position.x, s.position.y, s.position.z, s.normal.x, s.normal.y, s.normal.z, s.uv.x, s.uv.y];
         for (value, out) in values.into_iter().zip(out) {
             value.store(out);
@@ -146,12 +146,12 @@ fn surfaces<L: Lanes, S: Shader>(
 fn fragment<L: Lanes, S: Shader>(
     l: L,
     fetched: &mut FragmentRows,
-    rows: &[[f32; LANES]],
+    records: &[Quad],
     f: &FragmentRange<'_>,
     g: usize,
 ) -> Fragment<L, S::Varying<L>> {
     const { assert!(<S::Varying<L> as Varying<L>>::COMPONENTS <= MAX_COMPONENTS, "at most 32 varying components") };
-    fetched.fetch(rows, &f.slots[g], row_count(<S::Varying<L> as Varying<L>>::COMPONENTS));
+    fetched.fetch(l, records, &f.slots[g], record_quads(<S::Varying<L> as Varying<L>>::COMPONENTS));
     let pixel = Vec2 { x: l.f32_array(&f.x[g]), y: l.f32_array(&f.y[g]) };
     interpolate(l, fetched, pixel)
 }

@@ -10,10 +10,11 @@ mod shader;
 pub mod texture;
 mod varying;
 
-pub use coefficients::{FragmentRows, TriangleGroup};
+pub use coefficients::{FragmentRows, Rows, TriangleGroup};
 pub use erased::{ErasedShader, FragmentBatch};
 pub use fragments::{ColorGroup, FragmentRange, SurfaceGroup};
 pub use shader::{Fragment, Shader, SurfaceLanes, Vertex};
 pub use varying::{CornerSink, FragmentSource, Varying};
 
-pub(crate) use fragments::{Destination, FragmentList};
+pub(crate) use coefficients::store_rows;
+pub(crate) use fragments::{Candidates, Destination, FragmentList, Placement, ShadingPoints};
