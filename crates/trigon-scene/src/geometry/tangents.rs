@@ -170,16 +170,14 @@ mod tests {
 
     #[test]
     fn only_selected_materials_and_finite_triangles_take_part() {
-        let text = format!(
-            "{SQUARE}v nan 0 0\nusemtl a\nf 1/1 2/2 3/3\nf 1/1 2/2 5/3\nusemtl b\nf 1/1 3/3 4/4\nl 1 2\np 4\n"
-        );
+        let text =
+            format!("{SQUARE}v nan 0 0\nusemtl a\nf 1/1 2/2 3/3\nf 1/1 2/2 5/3\nusemtl b\nf 1/1 3/3 4/4\nl 1 2\np 4\n");
         let before = mesh(&text);
         let mut after = before.clone();
         after.generate_tangents(|material| material == MaterialId(0));
         after.validate().unwrap();
-        let is_zero = |triangle: usize| {
-            after.triangles[triangle].iter().all(|&index| after.tangents[index as usize] == [0.0; 4])
-        };
+        let is_zero =
+            |triangle: usize| after.triangles[triangle].iter().all(|&index| after.tangents[index as usize] == [0.0; 4]);
         assert_eq!([is_zero(0), is_zero(1), is_zero(2)], [false, true, true]);
         let positions = |mesh: &Mesh| -> Vec<[u32; 3]> {
             let indices = mesh.triangles.as_flattened().iter().chain(mesh.segments.as_flattened()).chain(&mesh.points);
