@@ -73,12 +73,12 @@ pub(crate) const MATERIALS: [Material; 13] = [
     },
     Material {
         name: "orange",
-        about: "The skin of a fruit: a height map, 0.012 units deep.",
+        about: "The skin of a fruit: a height map.",
         illum: 2,
         diffuse: [0.93, 0.36, 0.03],
         specular: [0.22, 0.20, 0.18],
         exponent: 24.0,
-        maps: &[Map::with_options("map_bump", "-bm 0.012 ", "peel-height.png")],
+        maps: &[Map::with_options("map_bump", "-bm 0.2 ", "peel-height.png")],
         ..PLAIN
     },
     Material {
@@ -246,7 +246,7 @@ fn leaves() -> Object {
     };
     let [x, _, z] = BOWL;
     let mut faces = at([0.78, 1.50, 4.0], 118.0, 8.0, 1.0);
-    faces.extend(at([0.70, 1.50, 4.05], -12.0, 20.0, 0.85));
+    faces.extend(at([0.70, 1.53, 4.05], -12.0, 12.0, 0.85));
     faces.extend(at([x - 0.72, 2.0, z + 0.3], 150.0, 4.0, 1.05));
     faces.extend(at([-2.4, 0.12, 4.2], 75.0, 0.0, 1.1));
     Object::new("leaves", vec![Part::new("leaf", "leaf", Form::Full, faces)])
