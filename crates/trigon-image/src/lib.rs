@@ -14,10 +14,14 @@
 //! assert_eq!(back.pixel(3, 2), [0, 128, 128, 255]);
 //! ```
 //!
-//! Non-goals: colour management (profiles are ignored, every picture is taken as sRGB), metadata, and scaling.
-//!
 //! Everything is exact: the same bytes in give the same bytes out on every machine. No decoder allocates more than its
 //! [`Limits`] allow, and none panics on a broken file.
+//!
+//! # Non-goals
+//!
+//! - Colour management: profiles are ignored, every 8- and 16-bit picture is taken as sRGB.
+//! - Metadata, thumbnails, and all frames but the first of animations that are read.
+//! - Scaling, filters and drawing.
 
 pub mod color;
 pub mod compare;
