@@ -34,7 +34,7 @@
 //! let color = picture.color.unwrap(); // 8-bit sRGB, row 0 at the top
 //! assert_eq!(color.get(0, 0), Some([0, 0, 0, 255])); // outside: the frame's clear colour
 //! let [red, green, blue, alpha] = color.get(8, 15).unwrap(); // near the middle of the bottom edge
-//! assert!(red > 180 && green > 180 && blue < 60 && alpha == 255);
+//! assert!(red > 170 && green > 170 && blue < 60 && alpha == 255);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
