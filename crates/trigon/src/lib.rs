@@ -60,6 +60,7 @@
     reason = "coordinates, counts and masks are cast within proven ranges throughout the kernels"
 )]
 
+mod clock;
 #[doc(hidden)]
 pub mod geometry;
 pub mod lanes;

@@ -26,7 +26,8 @@ where
     F: Fn(&mut W, T) + Sync,
 {
     let Some((first, others)) = workers.split_first_mut() else { return };
-    if others.is_empty() {
+    // The standard library starts no threads in WebAssembly: asked to, it panics.
+    if others.is_empty() || cfg!(target_family = "wasm") {
         items.for_each(|item| work(first, item));
         return;
     }

@@ -6,12 +6,12 @@
 use super::draw::{Draw, Frame, FrameError, FrameStatistics};
 use super::output::{Picture, PictureBands};
 use super::tile::{TileInput, TileWorker};
+use crate::clock::Stopwatch;
 use crate::geometry::{CHUNK_PRIMITIVES, Chunk, ChunkInput, ChunkScratch, Segment, Viewport, process_chunk};
 use crate::lanes::{SimdError, SimdLevel, dispatch};
 use crate::schedule::{TileOrder, share, tile_sequence};
 use crate::target::TILE_SIZE;
 use fearless_simd::Level;
-use std::time::Instant;
 
 /// How a renderer works; none of it changes a picture.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -75,10 +75,10 @@ impl Renderer {
         let is_small = primitives < SMALL_FRAME.0 && pixels < SMALL_FRAME.1;
         let threads = if is_small { 1 } else { self.options.threads.max(1) };
 
-        let started = Instant::now();
+        let started = Stopwatch::start();
         self.run_geometry(frame, draws, &tasks, threads);
         let geometry_time = started.elapsed();
-        let started = Instant::now();
+        let started = Stopwatch::start();
         let chunks = &self.chunks[..tasks.len()];
         let bins = TileBins::new(frame, chunks);
         self.tiles.resize_with(threads, TileWorker::default);
