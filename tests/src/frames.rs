@@ -24,16 +24,17 @@ pub fn draw_with(options: RendererOptions, frame: &Frame, draws: &[Draw<'_>]) ->
 
 /// Every available SIMD level.
 #[must_use]
+#[expect(clippy::print_stdout, reason = "a level that is not tested must be seen")]
 pub fn levels() -> Vec<SimdLevel> {
     let (have, lack): (Vec<_>, Vec<_>) = SimdLevel::ALL.into_iter().partition(|level| level.is_available());
     println!("SIMD levels tested: {have:?}; SKIPPED, as this CPU lacks them: {lack:?}");
     have
 }
 
-/// 64-bit FNV-1a over all images of a picture (Fowler, Noll, Vo).
+/// 64-bit FNV-1a over all images of a picture.
 #[must_use]
 pub fn hash(picture: &Picture) -> u64 {
-    let mut hash = Hasher(0xcbf2_9ce4_8422_2325);
+    let mut hash = Hasher::default();
     if let Some(p) = &picture.color {
         p.values().iter().for_each(|c| hash.add(u32::from_le_bytes(*c)));
     }
@@ -55,7 +56,22 @@ pub fn hash(picture: &Picture) -> u64 {
     hash.0
 }
 
+/// 64-bit FNV-1a over words, each as four bytes.
+#[must_use]
+pub fn hash_words(words: impl Iterator<Item = u32>) -> u64 {
+    let mut hash = Hasher::default();
+    words.for_each(|word| hash.add(word));
+    hash.0
+}
+
+/// FNV-1a (Fowler, Noll, Vo) of 64 bits.
 struct Hasher(u64);
+
+impl Default for Hasher {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
 
 impl Hasher {
     fn add(&mut self, word: u32) {

@@ -1,5 +1,8 @@
-//! Helpers of the whole-frame tests: seeded random numbers, a shader of plain clip positions, hashes.
+//! Helpers of the whole-frame tests: a corpus of named frames, golden pictures, seeded random numbers, hashes.
 
+pub mod corpus;
 pub mod frames;
+#[cfg(not(target_family = "wasm"))]
+pub mod golden;
 pub mod random;
 pub mod shaders;

@@ -1,6 +1,8 @@
 //! Shaders of the tests: vertices given in clip space or in pixels, coloured by a varying.
 
+use trigon::geometry::Primitives;
 use trigon::lanes::{Lanes, Mask, Rgba, U32};
+use trigon::pipeline::Draw;
 use trigon::shade::{Fragment, Shader, SurfaceLanes, Vertex};
 
 trigon::varying! {
@@ -34,6 +36,18 @@ impl ClipShader {
             colors: vec![[1.0; 4]; corners.len()],
             discard_below: 0.0,
         }
+    }
+}
+
+impl ClipShader {
+    /// Draws `primitives` with this shader.
+    ///
+    /// Here and not where it is used, because the kernels of a shader are compiled where its type is forgotten: once,
+    /// instead of for each test program.
+    #[must_use]
+    #[inline(never)]
+    pub fn draw<'a>(&'a self, primitives: Primitives<'a>) -> Draw<'a> {
+        Draw::new(self, primitives)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Broken input: numbers that are none, indices that point nowhere, nothing at all. No panic; losses are counted.
 
 use trigon::geometry::{Indices, Primitives};
-use trigon::pipeline::{Draw, Frame, FrameError, Outputs};
+use trigon::pipeline::{Frame, FrameError, Outputs};
 use trigon::target::SamplePattern;
 use trigon_tests::frames::{draw_with, plain_options};
 use trigon_tests::random::Random;
@@ -38,12 +38,12 @@ fn odd_numbers_neither_panic_nor_leak_nan() {
     for samples in [SamplePattern::CENTER, SamplePattern::standard(4).unwrap()] {
         let frame = Frame { samples, outputs, ..Frame::new(97, 61) };
         for seed in 0..60 {
-            let shader = odd_shader(seed, 300);
+            let shader = odd_shader(seed as u64, 300);
             let all = Indices::Sequence(300);
             let draws = [
-                Draw::new(&shader, Primitives::Triangles(all)),
-                Draw::new(&shader, Primitives::Lines { indices: all, width_px: ODD[seed as usize % 14] }),
-                Draw::new(&shader, Primitives::Points { indices: all, size_px: 5.0 }),
+                shader.draw(Primitives::Triangles(all)),
+                shader.draw(Primitives::Lines { indices: all, width_px: ODD[seed % ODD.len()] }),
+                shader.draw(Primitives::Points { indices: all, size_px: 5.0 }),
             ];
             let (picture, statistics) = draw_with(plain_options(), &frame, &draws);
             assert_eq!(statistics.geometry.submitted, 100 + 150 + 300);
@@ -58,7 +58,7 @@ fn odd_numbers_neither_panic_nor_leak_nan() {
 fn indices_out_of_range_read_as_zero_vertices_and_are_dropped() {
     let shader = ClipShader::in_pixels(&[[0.0, 0.0], [50.0, 0.0], [0.0, 50.0]], 64, 64);
     let indices = [0, 1, u32::MAX, 7, 8, 9, 0, 1, 2];
-    let draw = Draw::new(&shader, Primitives::Triangles(Indices::List(&indices)));
+    let draw = shader.draw(Primitives::Triangles(Indices::List(&indices)));
     let (_, statistics) = draw_with(plain_options(), &Frame::new(64, 64), &[draw]);
     assert_eq!(statistics.geometry.drawn, 1);
     assert_eq!(statistics.geometry.submitted, 3);
@@ -68,7 +68,7 @@ fn indices_out_of_range_read_as_zero_vertices_and_are_dropped() {
 fn nothing_to_draw_gives_the_clear_colour() {
     let shader = ClipShader::default();
     let frame = Frame { clear: [1.0, 0.0, 0.0, 1.0], ..Frame::new(65, 3) };
-    for draws in [vec![], vec![Draw::new(&shader, Primitives::Triangles(Indices::List(&[])))]] {
+    for draws in [vec![], vec![shader.draw(Primitives::Triangles(Indices::List(&[])))]] {
         let (picture, statistics) = draw_with(plain_options(), &frame, &draws);
         assert!(picture.color.unwrap().values().iter().all(|c| *c == [255, 0, 0, 255]));
         assert_eq!(statistics.geometry.drawn, 0);

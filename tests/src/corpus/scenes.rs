@@ -1,0 +1,151 @@
+//! Frames of whole scenes, from files in memory: readers, materials, maps, lights, cameras, overlays, strokes.
+
+use super::NamedFrame;
+use super::clip_space::ALL_OUTPUTS;
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::Arc;
+use trigon::pipeline::{Picture, Renderer, RendererOptions};
+use trigon::target::ShadingRate;
+use trigon_scene::load::{LoadOptions, MemoryResolver, load_bytes};
+use trigon_scene::render::{RenderSettings, SceneRenderer, ShaderKind, Wireframe};
+use trigon_scene::scene::{Camera, Framing, Light, LightKind, Projection, Scene};
+
+/// A file of `assets/`, with the path that models know it by.
+macro_rules! asset {
+    ($path:literal) => {
+        ($path, include_bytes!(concat!("../../../assets/", $path)).as_slice())
+    };
+}
+
+const SIDE_FILES: [(&str, &[u8]); 16] = [
+    asset!("still-life.mtl"),
+    asset!("teapot.mtl"),
+    asset!("cube.mtl"),
+    asset!("textures/glaze.png"),
+    asset!("textures/glaze-exponent.png"),
+    asset!("textures/glaze-specular.png"),
+    asset!("textures/glow.png"),
+    asset!("textures/hammered-normal.png"),
+    asset!("textures/lattice-alpha.png"),
+    asset!("textures/leaf.png"),
+    asset!("textures/leaf-alpha.png"),
+    asset!("textures/peel-height.png"),
+    asset!("textures/uv-grid.png"),
+    asset!("textures/wood.png"),
+    asset!("textures/zellige.png"),
+    asset!("textures/zellige-normal.png"),
+];
+
+const STILL_LIFE: (&str, &[u8]) = asset!("still-life.obj");
+const TEAPOT: (&str, &[u8]) = asset!("teapot.obj");
+const CUBE: (&str, &[u8]) = asset!("cube.obj");
+
+/// Lines, points and a triangle with vertex colours, one of them translucent.
+const STROKES: (&str, &[u8]) = (
+    "strokes.ply",
+    b"ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+      property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n\
+      element face 2\nproperty list uchar int vertex_indices\nelement edge 3\nproperty int vertex1\n\
+      property int vertex2\nend_header\n0 0 0 255 0 0 255\n1 0 .1 0 255 0 128\n.9 1 0 0 0 255 255\n\
+      0 1.1 -.2 255 255 255 200\n.4 .5 .7 10 200 100 255\n3 0 1 4\n4 0 1 2 3\n0 4\n1 4\n2 4\n",
+);
+
+const TETRAHEDRON: (&str, &[u8]) = (
+    "tetrahedron.stl",
+    b"solid t\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n\
+      facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n\
+      facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\n\
+      facet normal 0 0 0\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid t\n",
+);
+
+pub(super) fn frames() -> Vec<NamedFrame> {
+    let still_life = load(STILL_LIFE);
+    let teapot = load(TEAPOT);
+    let cube = load(CUBE);
+    let mut lit = load(TEAPOT);
+    lit.lights = lights();
+    let mut tangents = load(STILL_LIFE);
+    tangents.generate_tangents();
+
+    let small = RenderSettings { outputs: ALL_OUTPUTS, ..RenderSettings::new(97, 83) };
+    let mut by_sample = small;
+    by_sample.shading = ShadingRate::Sample;
+    let mut anisotropic = small;
+    anisotropic.sampling.max_anisotropy = 8;
+    let mut wireframe = small;
+    wireframe.wireframe = Some(Wireframe::default());
+
+    let mut frames = vec![
+        frame("still-life", &Rc::new(still_life), &RenderSettings { width: 240, height: 180, ..small }).large(),
+        frame("still-life-with-tangents", &Rc::new(tangents), &small),
+        frame("every-kind-of-light", &Rc::new(lit), &small),
+        frame("shaded-by-sample", &Rc::new(load(TEAPOT)), &by_sample),
+        frame("anisotropic", &Rc::new(load(CUBE)), &anisotropic),
+        frame("wireframe", &Rc::new(load(CUBE)), &wireframe),
+        frame("ply-strokes", &Rc::new(load(STROKES)), &small),
+        frame("stl-facets", &Rc::new(load(TETRAHEDRON)), &small),
+    ];
+    let (cube, teapot) = (Rc::new(cube), Rc::new(teapot));
+    for shader in ShaderKind::ALL {
+        let scene = if matches!(shader, ShaderKind::MipLevel | ShaderKind::Uv) { &cube } else { &teapot };
+        frames.push(frame(&format!("shader-{shader}"), scene, &RenderSettings { shader, ..small }));
+    }
+    frames
+}
+
+fn load((name, bytes): (&str, &[u8])) -> Scene {
+    let mut files = MemoryResolver::new();
+    for (path, bytes) in SIDE_FILES {
+        files = files.with(path, bytes);
+    }
+    let mut options = LoadOptions::default();
+    options.strict = true;
+    options.resolver = Some(Arc::new(files));
+    load_bytes(name, bytes, &options).expect("a model without fault").scene
+}
+
+fn lights() -> Vec<Light> {
+    let spot = LightKind::Spot {
+        position: [4.0, 5.0, 3.0],
+        direction: [-4.0, -4.0, -3.0],
+        inner_angle: 0.15,
+        outer_angle: 0.4,
+    };
+    vec![
+        Light::new(LightKind::Ambient, 0.1),
+        Light::new(LightKind::Directional { direction: [-1.0, -2.0, -0.5] }, 0.4).with_color([1.0, 0.9, 0.7]),
+        Light::new(LightKind::Point { position: [-3.0, 2.0, 4.0] }, 9.0).with_color([0.3, 0.5, 1.0]),
+        Light::new(spot, 40.0),
+    ]
+}
+
+/// The scene in the default view; overlays in parallel projection, so that both are drawn.
+fn frame(name: &str, scene: &Rc<Scene>, settings: &RenderSettings) -> NamedFrame {
+    let (scene, settings) = (Rc::clone(scene), *settings);
+    let projection = match settings.shader {
+        ShaderKind::BlinnPhong => Projection::default(),
+        _ => Projection::Orthographic { height: 1.0 },
+    };
+    let aspect = f64::from(settings.width) / f64::from(settings.height);
+    let camera = Framing { aspect, projection, ..Framing::default() }.camera(&scene);
+    let scene_renderer = RefCell::new(SceneRenderer::new());
+    NamedFrame::new(format!("scene/{name}"), move |options| {
+        draw(&mut scene_renderer.borrow_mut(), options, &scene, &camera, &settings)
+    })
+}
+
+fn draw(
+    scene_renderer: &mut SceneRenderer,
+    options: RendererOptions,
+    scene: &Scene,
+    camera: &Camera,
+    settings: &RenderSettings,
+) -> Picture {
+    let mut renderer = Renderer::new(options).expect("the level is available");
+    let mut picture = Picture::default();
+    let (_, warnings) =
+        scene_renderer.render(&mut renderer, scene, camera, settings, &mut picture).expect("the frame is valid");
+    assert!(warnings.is_empty(), "{warnings:?}");
+    picture
+}
