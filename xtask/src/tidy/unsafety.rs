@@ -1,4 +1,5 @@
-//! `unsafe` lives in one folder, and each use names the check that makes it sound.
+//! `unsafe` lives in one folder, and each use names the check that makes it sound. The one exception are attributes
+//! that give an export of a WebAssembly module its name.
 
 use super::finding::{Finding, Rule};
 use super::tokens::{Scan, scan};
@@ -6,6 +7,9 @@ use super::tree::Tree;
 
 /// The only folder in which the keyword may appear.
 const FOLDER: &str = "crates/trigon/src/lanes/";
+
+/// Modules whose functions are called by name from outside: there the attribute `#[unsafe(no_mangle)]` may stand.
+const EXPORTS: [&str; 1] = ["tests/cross/wasm.rs"];
 
 static PLACE: Rule = Rule {
     name: "unsafe-place",
@@ -21,21 +25,27 @@ static REASON: Rule = Rule {
     excusable: false,
 };
 
-/// No `unsafe` outside the folder.
+/// No `unsafe` outside the folder, but for the names of exports.
 pub(crate) fn places(tree: &Tree) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (path, text) in tree.rust().filter(|(path, _)| !path.starts_with(FOLDER)) {
-        for token in scan(text).tokens.iter().filter(|token| token.text == "unsafe") {
-            findings.push(Finding::new(&PLACE, path, token.line, format!("`unsafe` outside {FOLDER}")));
+        let scan = scan(text);
+        for index in (0..scan.tokens.len()).filter(|index| scan.text(*index) == "unsafe") {
+            let names_export = scan.is_at(index, &["unsafe", "(", "no_mangle", ")"]);
+            if !(names_export && EXPORTS.contains(&path)) {
+                let line = scan.tokens[index].line;
+                findings.push(Finding::new(&PLACE, path, line, format!("`unsafe` outside {FOLDER}")));
+            }
         }
     }
     findings
 }
 
-/// A SAFETY comment above each `unsafe` inside the folder.
+/// A SAFETY comment above each `unsafe` where it may stand.
 pub(crate) fn reasons(tree: &Tree) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for (path, text) in tree.rust().filter(|(path, _)| path.starts_with(FOLDER)) {
+    let may_stand = |path: &str| path.starts_with(FOLDER) || EXPORTS.contains(&path);
+    for (path, text) in tree.rust().filter(|(path, _)| may_stand(path)) {
         let scan = scan(text);
         let lines: Vec<&str> = text.lines().collect();
         for token in scan.tokens.iter().filter(|token| token.text == "unsafe") {
@@ -87,6 +97,16 @@ mod tests {
         let text = "fn f() { unsafe { g() } }";
         let tree = Tree::of(&[("crates/trigon/src/raster/a.rs", text), ("crates/trigon/src/lanes/a.rs", text)]);
         assert_eq!(places(&tree).len(), 1);
+    }
+
+    #[test]
+    fn only_names_of_exports_may_stand_in_their_file() {
+        let text = "// SAFETY: unique.\n#[unsafe(no_mangle)]\npub extern \"C\" fn f() {}\nfn g() { unsafe { h() } }\n";
+        let tree = Tree::of(&[("tests/cross/wasm.rs", text), ("tests/cross/other.rs", text)]);
+        let found: Vec<_> = places(&tree).into_iter().map(|finding| (finding.path, finding.line)).collect();
+        let expected = [("tests/cross/wasm.rs", 4), ("tests/cross/other.rs", 2), ("tests/cross/other.rs", 4)];
+        assert_eq!(found, expected.map(|(path, line)| (path.to_owned(), line)));
+        assert_eq!(reasons(&tree).len(), 1);
     }
 
     #[test]
