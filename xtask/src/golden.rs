@@ -13,7 +13,7 @@ const REPORT: &str = "golden-report/index.html";
 pub(crate) fn bless(root: &Path, filter: Option<&str>) -> Result<(), String> {
     let status = Command::new(env!("CARGO"))
         .current_dir(root)
-        .args(["test", "--package", "trigon-tests", "--", filter.unwrap_or("golden")])
+        .args(["test", "--package", "trigon-tests", "--test", "golden", "--", filter.unwrap_or_default()])
         .env("TRIGON_BLESS", "1")
         .status()
         .map_err(|error| format!("cargo does not start: {error}"))?;
