@@ -37,7 +37,8 @@
 //! - [`render`]: scenes to pictures, and the ways to look inside one.
 //! - [`math`]: matrices and boxes in double precision.
 //!
-//! A scene and a picture are the same on every machine, with any number of threads.
+//! A scene and a picture are the same on every machine, with any number of threads. The feature `render`, on by default,
+//! adds drawing; without it the crate reads models and knows no rasterizer.
 //!
 //! # Non-goals
 //!
@@ -53,6 +54,7 @@ pub mod math;
 mod mtl;
 mod obj;
 mod ply;
+#[cfg(feature = "render")]
 pub mod render;
 pub mod scene;
 mod stl;
