@@ -106,6 +106,8 @@ fn weights_and_vertex_colours_are_told_apart() {
     let half = mesh("v 0 0 0 0.5 0.5 0.5\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n").colors[0][0];
     assert!((half - 0.214_041).abs() < 1e-5, "{half}");
     assert_eq!(mesh("v 0 0 0 255 0 0\nv 1 0 0 0 255 0\nv 0 1 0 0 0 0\nf 1 2 3\n").colors[0], [1.0, 0.0, 0.0, 1.0]);
+    // A vertex without a colour is white beside such values, too.
+    assert_eq!(mesh("v 0 0 0\nv 1 0 0 0 255 0\nv 0 1 0 0 0 0 255\nf 1 2 3\n").colors[0], [1.0; 4]);
 }
 
 #[test]
@@ -188,6 +190,16 @@ fn faults_are_reported_and_left_out() {
 }
 
 #[test]
+fn findings_are_few_however_much_is_wrong() {
+    let prose: String = (0..40).map(|i| format!("word{i} of a text without a comment sign\n")).collect();
+    let warnings = shown_warnings(&format!("{prose}v 1\n{SQUARE}f 1 2 3\n"));
+    assert_eq!(warnings.len(), 7, "{warnings:?}");
+    assert_eq!(warnings[4], "a.obj:5: statement word4 ignored");
+    assert_eq!(warnings[5], "a.obj:41: fewer numbers than expected; 0 taken for the others");
+    assert!(warnings[6].starts_with("a.obj: 35 or more other lines"), "{warnings:?}");
+}
+
+#[test]
 fn material_libraries_are_found_in_every_spelling() {
     let files = [("my lib.mtl", "newmtl a\nKd 1 0 0\n"), ("b.mtl", "newmtl a\nKd 0 1 0\nnewmtl b c\nKd 0 0 1\n")];
     let face = format!("{SQUARE}usemtl a\nf 1 2 3\nusemtl   b c  \nf 1 3 4\n");
@@ -227,6 +239,9 @@ fn limits_stop_large_files() {
     assert!(limited(|o| o.limits.vertices = 3).unwrap_err().contains("limit vertices = 3"));
     assert!(limited(|o| o.limits.triangles = 1).unwrap_err().contains("limit triangles = 1"));
     assert!(limited(|o| o.limits.file_bytes = 10).unwrap_err().contains("limit file_bytes = 10"));
+    let many = format!("{SQUARE}usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
+    let error = with_files(&many, &[], |o| o.limits.materials = 1).unwrap_err().to_string();
+    assert!(error.contains("limit materials = 1"), "{error}");
 }
 
 #[test]

@@ -52,11 +52,13 @@ impl<'a> SideFiles<'a> {
     /// The path of the file that `written` means in the file `from` (a path itself, empty for the model).
     pub(crate) fn find(&self, written: &[u8], from: &str) -> Option<String> {
         let written = decode_name(written);
-        let written = written.trim().trim_matches('"');
-        if written.is_empty() {
-            return None;
-        }
-        candidates(written, from).iter().find_map(|path| self.resolver.find(path))
+        candidates(unquoted(&written), from).iter().find_map(|path| self.resolver.find(path))
+    }
+
+    /// Whether `written`, all of it and not its last component alone, is a path from the model's folder.
+    pub(crate) fn has_beside_model(&self, written: &[u8]) -> bool {
+        let written = decode_name(written);
+        relative_paths(unquoted(&written), "").iter().any(|path| self.resolver.find(path).is_some())
     }
 
     /// Reads a file that [`SideFiles::find`] found.
@@ -96,20 +98,37 @@ impl<'a> SideFiles<'a> {
 
 /// The paths to try, best first, without repetition.
 fn candidates(written: &str, from: &str) -> Vec<String> {
-    let folder = from.rfind('/').map_or("", |end| &from[..=end]);
-    // A blank may be escaped as on a command line.
-    let slashed = written.replace("\\ ", " ").replace('\\', "/");
+    let slashed = slashed(written);
     let last = slashed.rsplit('/').next().unwrap_or_default();
-    let relative = |path: &str| if path.starts_with('/') { path.to_owned() } else { format!("{folder}{path}") };
-    let without_dot = slashed.trim_start_matches("./");
     let mut paths = Vec::new();
-    let as_written = written.trim_start_matches("./");
-    for path in [relative(as_written), relative(without_dot), format!("{folder}{last}"), last.to_owned()] {
-        if !path.is_empty() && !path.ends_with('/') && !paths.contains(&path) {
+    for path in relative_paths(written, from).into_iter().chain([format!("{}{last}", folder(from)), last.to_owned()]) {
+        if !last.is_empty() && !paths.contains(&path) {
             paths.push(path);
         }
     }
     paths
+}
+
+/// The path as written and with `/` for `\`, relative to the file that names it.
+fn relative_paths(written: &str, from: &str) -> [String; 2] {
+    [written, &slashed(written)].map(|path| {
+        let path = path.trim_start_matches("./");
+        if path.starts_with('/') { path.to_owned() } else { format!("{}{path}", folder(from)) }
+    })
+}
+
+/// With `/` for `\`; a blank may be escaped as on a command line.
+fn slashed(written: &str) -> String {
+    written.replace("\\ ", " ").replace('\\', "/")
+}
+
+/// The folder of a path, with the slash at its end.
+fn folder(path: &str) -> &str {
+    path.rfind('/').map_or("", |end| &path[..=end])
+}
+
+fn unquoted(written: &str) -> &str {
+    written.trim().trim_matches('"')
 }
 
 #[cfg(test)]

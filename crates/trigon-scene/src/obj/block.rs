@@ -12,7 +12,7 @@ use crate::text::{Cursor, decode_name};
 #[derive(Default)]
 pub(super) struct Block<'a> {
     pub(super) positions: Vec<[f32; 3]>,
-    /// Colours as written; empty, or from the first to the last position of the block. White where not given.
+    /// Colours as written; empty, or from the first to the last position of the block. NaN where not given.
     pub(super) colors: Vec<[f32; 4]>,
     /// Inside convention: v down.
     pub(super) uvs: Vec<[f32; 2]>,
@@ -25,6 +25,8 @@ pub(super) struct Block<'a> {
     pub(super) events: Vec<Event<'a>>,
     /// Statements that are not read, and the line of the first of each.
     pub(super) ignored: Vec<(&'a [u8], u32)>,
+    /// Lines with statements beyond those.
+    pub(super) more_ignored: usize,
     pub(super) notes: Vec<Note>,
     /// Findings beyond those noted.
     pub(super) suppressed_notes: usize,
@@ -144,7 +146,7 @@ impl<'a> Block<'a> {
         }
         block.n_lines = cursor.lines();
         if !block.colors.is_empty() {
-            block.colors.resize(block.positions.len(), WHITE);
+            block.colors.resize(block.positions.len(), NO_COLOR);
         }
         block
     }
@@ -199,14 +201,14 @@ impl<'a> Block<'a> {
         if !cursor.is_at_line_end() {
             self.position_extras(cursor);
         } else if !self.colors.is_empty() {
-            self.colors.push(WHITE);
+            self.colors.push(NO_COLOR);
         }
     }
 
     /// What follows x y z: one value is the weight of rational curves, which meshes do not use; three are red green
     /// blue; four are red green blue alpha.
     fn position_extras(&mut self, cursor: &mut Cursor<'a>) {
-        let mut extras = [1.0; 4];
+        let mut extras = NO_COLOR;
         let mut count = 0;
         while let Some(value) = self.optional_number(cursor) {
             if let Some(extra) = extras.get_mut(count) {
@@ -216,11 +218,11 @@ impl<'a> Block<'a> {
         }
         if count >= 3 {
             if self.colors.is_empty() {
-                self.colors.resize(self.positions.len() - 1, WHITE);
+                self.colors.resize(self.positions.len() - 1, NO_COLOR);
             }
             self.colors.push(extras);
         } else if !self.colors.is_empty() {
-            self.colors.push(WHITE);
+            self.colors.push(NO_COLOR);
         }
     }
 
@@ -257,7 +259,11 @@ impl<'a> Block<'a> {
 
     #[cold]
     fn missing_number(&mut self, line: u32) -> f32 {
-        self.note(line, WarningKind::InvalidValue, || "fewer numbers than expected; 0 taken for the others".to_owned());
+        const MESSAGE: &str = "fewer numbers than expected; 0 taken for the others";
+        // Once for all that the line lacks.
+        if self.notes.last().is_none_or(|note| note.line != line || note.message != MESSAGE) {
+            self.note(line, WarningKind::InvalidValue, || MESSAGE.to_owned());
+        }
         0.0
     }
 
@@ -354,7 +360,7 @@ impl<'a> Block<'a> {
         if self.ignored.len() < 32 {
             self.ignored.push((word, line));
         } else {
-            self.suppressed_notes += 1;
+            self.more_ignored += 1;
         }
     }
 
@@ -404,7 +410,8 @@ impl<'a> Block<'a> {
     }
 }
 
-const WHITE: [f32; 4] = [1.0; 4];
+/// The colour of a position that the file gives none, whatever the range of the others: becomes white.
+pub(super) const NO_COLOR: [f32; 4] = [f32::NAN; 4];
 
 /// A word of the file for a message, not more than 40 bytes of it.
 pub(super) fn shorten(word: &[u8]) -> String {

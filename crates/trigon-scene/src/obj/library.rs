@@ -73,15 +73,20 @@ impl<'f> Library<'f> {
         Ok(())
     }
 
-    /// The materials in use and their ids, in order of first use; neutral ones for those that are not defined.
+    /// The materials in use and their ids, in order of first use; neutral ones for those that are not defined. An error if
+    /// they are more than `max_materials`.
     pub(super) fn pick(
         &self,
         runs: &Runs<'_>,
+        max_materials: u64,
         findings: &mut Findings,
     ) -> Result<(Vec<Material>, Vec<MaterialId>), LoadError> {
         let mut materials = Vec::new();
         let mut ids = Vec::new();
         for (name, line) in runs.materials() {
+            if u64::try_from(materials.len()).unwrap_or(u64::MAX) >= max_materials {
+                return Err(LoadError::limit(self.file, "materials", max_materials));
+            }
             ids.push(MaterialId(u32::try_from(materials.len()).unwrap_or(u32::MAX)));
             let Some(name) = name else {
                 materials.push(Material::default());
@@ -103,10 +108,10 @@ impl<'f> Library<'f> {
 }
 
 /// The files a `mtllib` statement names. The statement separates files by blanks, and names hold blanks too: the whole
-/// is one name if there is such a file or if it has only one extension; else words are joined up to the next `.mtl`.
+/// is one name if there is just such a file; else words are joined up to the next `.mtl`.
 fn library_names<'a>(names: &'a [u8], side_files: &SideFiles<'_>) -> Vec<&'a [u8]> {
     let is_blank = |b: &u8| b.is_ascii_whitespace();
-    if !names.iter().any(is_blank) || side_files.find(names, "").is_some() {
+    if !names.iter().any(is_blank) || side_files.has_beside_model(names) {
         return vec![names];
     }
     let mut split = Vec::new();

@@ -1,6 +1,6 @@
 //! The stages of reading an OBJ file, led from the text to the scene.
 
-use super::block::{Block, EventKind, shorten, why_ignored};
+use super::block::{Block, EventKind, NO_COLOR, shorten, why_ignored};
 use super::element::MAX_ELEMENTS;
 use super::library::Library;
 use super::resolve::{Counts, Primitives, Usage, resolve_block};
@@ -44,7 +44,7 @@ pub(crate) fn read(
             library.load(event.name, lines + u64::from(event.line) + 1, &mut context)?;
         }
     }
-    let (materials, ids) = library.pick(&runs, findings)?;
+    let (materials, ids) = library.pick(&runs, options.limits.materials, findings)?;
 
     let mut primitives: Vec<Primitives> = blocks.into_iter().map(|(_, primitives)| primitives).collect();
     add_normals(&mut primitives, &mut attributes, &runs, options);
@@ -83,7 +83,7 @@ impl Attributes {
             all.normals.extend_from_slice(&block.normals);
             if has_colors {
                 all.colors.extend_from_slice(&block.colors);
-                all.colors.resize(all.positions.len(), [1.0; 4]);
+                all.colors.resize(all.positions.len(), NO_COLOR);
             }
         }
         Ok(all)
@@ -145,15 +145,8 @@ fn report(
     file: &str,
     findings: &mut Findings,
 ) -> Result<(), LoadError> {
-    let mut ignored: Vec<&[u8]> = Vec::new();
+    report_ignored(blocks, lines_before, file, findings)?;
     for ((block, primitives), &lines) in blocks.iter().zip(lines_before) {
-        for &(word, line) in &block.ignored {
-            if ignored.len() < 64 && !ignored.contains(&word) {
-                ignored.push(word);
-                let message = format!("statement {} ignored{}", shorten(word), why_ignored(word));
-                findings.warn(file, Place::Line(lines + u64::from(line) + 1), WarningKind::Ignored, message)?;
-            }
-        }
         let mut notes: Vec<_> = block.notes.iter().chain(&primitives.notes).collect();
         notes.sort_by_key(|note| note.line);
         for note in notes {
@@ -161,6 +154,41 @@ fn report(
             findings.warn(file, place, note.kind, note.message.as_str())?;
         }
         findings.suppress(block.suppressed_notes + primitives.suppressed_notes);
+    }
+    Ok(())
+}
+
+/// Lists each statement that is not read once: those of the format, and the first few that no OBJ file has, of which text
+/// that is no comment makes many.
+fn report_ignored(
+    blocks: &[(Block<'_>, Primitives)],
+    lines_before: &[u64],
+    file: &str,
+    findings: &mut Findings,
+) -> Result<(), LoadError> {
+    const MAX_UNKNOWN: usize = 5;
+    let mut listed: Vec<&[u8]> = Vec::new();
+    let (mut unknown, mut unlisted) = (0, 0);
+    for ((block, _), &lines) in blocks.iter().zip(lines_before) {
+        unlisted += block.more_ignored;
+        for &(word, line) in &block.ignored {
+            let why = why_ignored(word);
+            if listed.contains(&word) {
+                continue;
+            }
+            if why.is_empty() && unknown == MAX_UNKNOWN {
+                unlisted += 1;
+                continue;
+            }
+            unknown += usize::from(why.is_empty());
+            listed.push(word);
+            let message = format!("statement {} ignored{why}", shorten(word));
+            findings.warn(file, Place::Line(lines + u64::from(line) + 1), WarningKind::Ignored, message)?;
+        }
+    }
+    if unlisted > 0 {
+        let message = format!("{unlisted} or more other lines that are no statements ignored; is this an OBJ file?");
+        findings.warn(file, Place::File, WarningKind::Ignored, message)?;
     }
     Ok(())
 }
@@ -244,7 +272,8 @@ fn assemble(
     let submeshes = runs.submeshes(ids, &mut triangles, &mut segments, &mut points);
     let vertices = unifier.into_vertices();
     let Attributes { positions, colors, uvs, normals } = attributes;
-    let color_scale = if colors.iter().flatten().any(|c| *c > 1.0 + 1e-3) { 1.0 / 255.0 } else { 1.0 };
+    let is_byte = |c: &f32| c.is_finite() && *c > 1.0 + 1e-3;
+    let color_scale = if colors.iter().flatten().any(is_byte) { 1.0 / 255.0 } else { 1.0 };
     Mesh {
         positions: gather(threads, &vertices, 0, &positions, [0.0; 3], |p| p),
         normals: if_some(has_normals, || gather(threads, &vertices, 2, &normals, [0.0; 3], unit_normal)),
