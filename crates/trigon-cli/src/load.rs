@@ -47,7 +47,7 @@ impl Models {
             warnings.extend(loaded.warnings);
         }
         if let Some(path) = &options.texture {
-            add_texture(&mut scene, path, load_options.limits.texture_bytes)?;
+            add_texture(&mut scene, path, &load_options.limits)?;
         }
         Ok(Self { scene, warnings, up: up.unwrap_or(UpDirection::PLUS_Y), files })
     }
@@ -122,6 +122,7 @@ fn bound(limits: &mut Limits, name: LimitName) -> &mut u64 {
         LimitName::Materials => &mut limits.materials,
         LimitName::Textures => &mut limits.textures,
         LimitName::TextureSize => &mut limits.texture_bytes,
+        LimitName::TexturePixels => &mut limits.texture_pixels,
     }
 }
 
@@ -134,15 +135,16 @@ fn usual_up(format: Format) -> UpDirection {
 }
 
 /// Puts a picture on every material without a diffuse map.
-fn add_texture(scene: &mut Scene, path: &Path, max_bytes: u64) -> Result<(), Failure> {
+fn add_texture(scene: &mut Scene, path: &Path, limits: &Limits) -> Result<(), Failure> {
     let failure = |problem: &str| Failure::work(format!("cannot read the texture {}: {problem}", path.display()));
     let metadata = fs::metadata(path).map_err(|error| failure(&error.to_string()))?;
-    if metadata.len() > max_bytes {
-        return Err(failure(&format!("larger than the limit texture-size = {max_bytes}")));
+    if metadata.len() > limits.texture_bytes {
+        return Err(failure(&format!("larger than the limit texture-size = {}", limits.texture_bytes)));
     }
     let bytes = fs::read(path).map_err(|error| failure(&error.to_string()))?;
     let id = TextureId(u32::try_from(scene.textures.len()).map_err(|_| failure("there are too many textures"))?);
-    scene.textures.push(Texture::new(path.display().to_string(), bytes));
+    let texture = Texture::new(path.display().to_string(), bytes);
+    scene.textures.push(Texture { max_pixels: limits.texture_pixels, ..texture });
     for material in &mut scene.materials {
         material.maps.diffuse.get_or_insert_with(|| TextureRef::new(id));
     }

@@ -32,8 +32,8 @@ pub(crate) struct InputOptions {
 
     /// Bound on what is read, such as triangles=10M; repeatable
     ///
-    /// For models of strangers. The limits are file-size, vertices, triangles, materials, textures and texture-size
-    /// (bytes of a texture file); k, M, G stand for powers of 1024.
+    /// For models of strangers. The limits are file-size, vertices, triangles, materials, textures, texture-size (bytes
+    /// of a texture file) and texture-pixels (its width times height); k, M, G stand for powers of 1024.
     #[arg(long = "limit", value_name = "NAME=COUNT")]
     pub(crate) limits: Vec<Limit>,
 }

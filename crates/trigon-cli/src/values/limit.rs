@@ -25,15 +25,18 @@ pub(crate) enum LimitName {
     Textures,
     /// Bytes of a texture file.
     TextureSize,
+    /// Width times height of a texture.
+    TexturePixels,
 }
 
-const NAMES: [(&str, LimitName); 6] = [
+const NAMES: [(&str, LimitName); 7] = [
     ("file-size", LimitName::FileSize),
     ("vertices", LimitName::Vertices),
     ("triangles", LimitName::Triangles),
     ("materials", LimitName::Materials),
     ("textures", LimitName::Textures),
     ("texture-size", LimitName::TextureSize),
+    ("texture-pixels", LimitName::TexturePixels),
 ];
 
 impl FromStr for Limit {

@@ -76,6 +76,11 @@ fn limits_hold() {
     folder.run("cube.obj -o a.png --limit triangles=11").fails_with(&["triangles", "11"]);
     folder.run("cube.obj -o a.png --limit file-size=10").fails_with(&["file_bytes", "10"]);
     folder.run("cube.obj -o a.png -s 16 --limit triangles=12").succeeds_quietly();
+    folder.run("cube.obj -o t.png -s 20x10").succeeds_quietly();
+    let textured = "cube.obj -o a.png -s 16 --texture t.png --limit";
+    folder.run(&format!("{textured} texture-pixels=200")).succeeds_quietly();
+    folder.run(&format!("{textured} texture-pixels=199")).succeeds().says(&["warning: t.png", "199"]);
+    folder.run(&format!("{textured} texture-size=10")).fails_with(&["texture-size", "10"]);
 }
 
 #[test]

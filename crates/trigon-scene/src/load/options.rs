@@ -63,10 +63,13 @@ pub struct Limits {
     pub textures: u64,
     /// Encoded bytes of one texture file.
     pub texture_bytes: u64,
+    /// Width times height of one texture; those beyond are not drawn, with a warning.
+    pub texture_pixels: u64,
 }
 
 impl Default for Limits {
-    /// 4 GiB files, 200 million vertices, 400 million triangles, 65 536 materials, 4096 textures of 256 MiB.
+    /// 4 GiB files, 200 million vertices, 400 million triangles, 65 536 materials, 4096 textures of 256 MiB and
+    /// 2^27 pixels (134 million).
     fn default() -> Self {
         Self {
             file_bytes: 4 << 30,
@@ -75,6 +78,7 @@ impl Default for Limits {
             materials: 65_536,
             textures: 4096,
             texture_bytes: 256 << 20,
+            texture_pixels: 1 << 27,
         }
     }
 }

@@ -8,7 +8,6 @@ use super::{Resolver, WarningKind};
 use crate::scene::{Texture, TextureId};
 use crate::text::decode_name;
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// The side files of one model.
 pub(crate) struct SideFiles<'a> {
@@ -18,6 +17,7 @@ pub(crate) struct SideFiles<'a> {
     texture_ids: HashMap<String, Result<TextureId, Problem>>,
     max_textures: u64,
     max_texture_bytes: u64,
+    max_texture_pixels: u64,
 }
 
 /// Why a side file cannot be used.
@@ -41,6 +41,7 @@ impl<'a> SideFiles<'a> {
             texture_ids: HashMap::new(),
             max_textures: limits.textures,
             max_texture_bytes: limits.texture_bytes,
+            max_texture_pixels: limits.texture_pixels,
         }
     }
 
@@ -91,7 +92,7 @@ impl<'a> SideFiles<'a> {
             return Err(Problem::new(format!("texture {found} left out: more than {} textures", self.max_textures)));
         }
         let bytes = self.read(found, self.max_texture_bytes)?;
-        self.textures.push(Texture { name: found.to_owned(), encoded: Arc::from(bytes) });
+        self.textures.push(Texture { max_pixels: self.max_texture_pixels, ..Texture::new(found, bytes) });
         Ok(TextureId(id))
     }
 }

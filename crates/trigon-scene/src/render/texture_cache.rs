@@ -7,10 +7,9 @@ use super::texture_upload::{Opacity, Uploaded, Usage, upload};
 use crate::load::{Location, Place, Warning, WarningKind, parallel_map};
 use crate::scene::{Scene, TextureId};
 use std::collections::HashMap;
-use std::path::Path;
 use std::sync::Arc;
 use trigon::shade::texture::Texture;
-use trigon_image::{Format, Limits, decode};
+use trigon_image::Limits;
 
 /// Uploaded textures.
 #[derive(Default)]
@@ -72,10 +71,9 @@ type Uploads = Vec<(Usage, Option<Uploaded>)>;
 /// Decodes a texture once, and makes what each use of it needs.
 fn make(scene: &Scene, id: TextureId, usages: &[Usage]) -> (Uploads, Option<String>) {
     let mut problem = None;
-    let image = scene.texture(id).and_then(|texture| {
-        let hint = Format::from_path(Path::new(&texture.name));
-        decode(&texture.encoded, hint, &Limits::default()).map_err(|error| problem = Some(error.to_string())).ok()
-    });
+    let image = scene
+        .texture(id)
+        .and_then(|texture| texture.decode(&Limits::default()).map_err(|error| problem = Some(error.to_string())).ok());
     let mut uploads = Vec::with_capacity(usages.len());
     for &usage in usages {
         let uploaded = image

@@ -7,6 +7,7 @@ use super::TextureId;
 use crate::load::parallel_map;
 use std::fmt;
 use std::num::NonZeroUsize;
+use std::path::Path;
 use std::sync::Arc;
 use trigon_image::{DecodeError, DecodedImage, Format, Limits};
 
@@ -17,24 +18,25 @@ pub struct Texture {
     pub name: String,
     /// The file's bytes.
     pub encoded: Arc<[u8]>,
+    /// The largest width times height that is decoded.
+    pub max_pixels: u64,
 }
 
 impl Texture {
-    /// A texture from the bytes of an image file.
+    /// A texture from the bytes of an image file, of at most 2^27 pixels (134 million).
     #[must_use]
     pub fn new(name: impl Into<String>, encoded: impl Into<Arc<[u8]>>) -> Self {
-        Self { name: name.into(), encoded: encoded.into() }
+        Self { name: name.into(), encoded: encoded.into(), max_pixels: 1 << 27 }
     }
-}
 
-impl Texture {
     /// The picture.
     ///
     /// # Errors
     ///
-    /// The file is damaged, of no known format, or larger than `limits`.
+    /// The file is damaged, of no known format, or larger than `limits` or `max_pixels` allow.
     pub fn decode(&self, limits: &Limits) -> Result<DecodedImage, DecodeError> {
-        trigon_image::decode(&self.encoded, Format::from_name(&self.name), limits)
+        let limits = limits.with_max_pixels(limits.max_pixels.min(self.max_pixels));
+        trigon_image::decode(&self.encoded, Format::from_path(Path::new(&self.name)), &limits)
     }
 
     /// All pictures, decoded on up to `threads` threads; results in order.
