@@ -14,7 +14,7 @@ use std::path::Path;
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Loaded {
-    /// What the file describes; one mesh and one instance, y up.
+    /// What the file describes; one mesh and one instance, y up; with tangents where materials have normal maps.
     pub scene: Scene,
     /// What was wrong or ignored, in order.
     pub warnings: Vec<Warning>,
@@ -65,6 +65,7 @@ fn load(bytes: &[u8], name: &str, options: &LoadOptions, default: &dyn Resolver)
         findings.warn(name, Place::File, WarningKind::Empty, "the file holds nothing to draw")?;
     }
     scene.textures = side_files.into_textures();
+    scene.generate_tangents();
     let is_z_up = match options.up {
         UpAxis::PlusY => false,
         UpAxis::PlusZ => true,

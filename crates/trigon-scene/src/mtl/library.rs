@@ -98,6 +98,9 @@ impl Reader<'_, '_, '_> {
         if self.context.skip_textures || !is_used {
             return Ok(());
         }
+        if Draft::is_kept_only(key) {
+            self.warn(line, WarningKind::Ignored, format!("map {} is read but not drawn", decode_name(key)))?;
+        }
         if statement.file.is_empty() {
             return self.warn(line, WarningKind::InvalidValue, "texture statement without a file name".to_owned());
         }

@@ -99,6 +99,11 @@ impl Draft {
         matches!(key, b"refl" | b"map_refl") || scratch.map_slot(key).is_some()
     }
 
+    /// Whether the map of `key` (lower case) is kept for programs that use it, but changes no picture.
+    pub(super) fn is_kept_only(key: &[u8]) -> bool {
+        matches!(key, b"refl" | b"map_refl" | b"decal" | b"map_decal")
+    }
+
     /// Sets the map of a texture statement.
     pub(super) fn set_map(&mut self, key: &[u8], map: TextureRef) {
         if let b"refl" | b"map_refl" = key {

@@ -29,6 +29,7 @@ pub(super) struct Surface<'a> {
     pub(super) maps: Vec<MapUse<'a>>,
     /// Those of them that hold opacity.
     pub(super) opacity_maps: Vec<MapUse<'a>>,
+    /// A `norm` map, or a `bump` map that holds normals.
     pub(super) normal: Option<MapUse<'a>>,
     pub(super) bump: Option<MapUse<'a>>,
 }
@@ -145,11 +146,20 @@ impl Needs {
         add(Slot::Opacity, has_alpha, scalar(&maps.opacity, ScalarSource::AlphaOrLuminance));
         add(Slot::Normal, self.normals, maps.normal.as_ref().map(|map| (map, Usage::Vector)));
         let bumps = self.normals && maps.normal.is_none();
-        add(Slot::Bump, bumps, scalar(&maps.bump, ScalarSource::Luminance));
+        add(Slot::Bump, bumps, maps.bump.as_ref().or(maps.displacement.as_ref()).map(|map| (map, height_usage(map))));
         if let Some((map, usage)) = scalar(&maps.transparency, ScalarSource::Luminance).filter(|_| has_alpha) {
             requests.push(Request { slot: Slot::Opacity, map, usage, is_inverted: true });
         }
         requests
+    }
+}
+
+/// A bump map with a channel of its own is heights for sure; one without is a normal map now and then, because some
+/// exporters have no other statement for these.
+fn height_usage(map: &TextureRef) -> Usage {
+    match map.options.channel {
+        None => Usage::Height,
+        channel => Usage::Scalar(ScalarSource::new(channel, ScalarSource::Luminance)),
     }
 }
 
@@ -190,7 +200,12 @@ impl<'a> Surface<'a> {
         for request in needs.requests(material).iter().filter(|_| has_uv) {
             let Some(texture) = textures.get(request.map.texture, request.usage) else { continue };
             let its_opacity = textures.opacity(request.map.texture, request.usage);
-            surface.add(request, MapUse::new(request, texture, settings), its_opacity);
+            let map = MapUse::new(request, texture, settings);
+            if textures.holds_normals(request.map.texture, request.usage) {
+                surface.normal = Some(map);
+                continue;
+            }
+            surface.add(map, its_opacity);
             if matches!(request.slot, Slot::Diffuse | Slot::Opacity) {
                 opacity = opacity.max(its_opacity);
             }
@@ -200,13 +215,23 @@ impl<'a> Surface<'a> {
         surface
     }
 
-    fn add(&mut self, request: &Request<'_>, map: MapUse<'a>, opacity: Opacity) {
-        match request.slot {
+    /// The map of the diffuse colour.
+    pub(super) fn diffuse_map(&self) -> Option<&MapUse<'a>> {
+        self.maps.iter().find(|map| map.slot == Slot::Diffuse)
+    }
+
+    /// Whether the normal map was there when tangents were made.
+    pub(super) fn has_tangents(&self) -> bool {
+        self.normal.as_ref().is_some_and(|map| map.slot == Slot::Normal)
+    }
+
+    fn add(&mut self, map: MapUse<'a>, opacity: Opacity) {
+        match map.slot {
             Slot::Normal => self.normal = Some(map),
             Slot::Bump => self.bump = Some(map),
             _ => {
                 let holds_opacity = opacity != Opacity::Opaque || map.gain != 1.0 || map.base != 0.0;
-                if request.slot == Slot::Opacity || (request.slot == Slot::Diffuse && holds_opacity) {
+                if map.slot == Slot::Opacity || (map.slot == Slot::Diffuse && holds_opacity) {
                     self.opacity_maps.push(map);
                 }
                 self.maps.push(map);
@@ -252,7 +277,8 @@ impl<'a> MapUse<'a> {
             gain,
             base,
             is_scalar: matches!(request.usage, Usage::Scalar(_)),
-            is_clamped: options.clamp,
+            // Beyond its edge a map has no effect on factors; heights and normals go on as they are there.
+            is_clamped: options.clamp && (request.slot as usize) < Slot::FACTORS,
             strength: options.bump_multiplier,
         }
     }

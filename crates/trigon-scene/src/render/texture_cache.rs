@@ -56,6 +56,11 @@ impl TextureCache {
         Some(&self.uploaded(id, usage)?.texture)
     }
 
+    /// Whether it was asked for as heights and turned out to hold normals.
+    pub(super) fn holds_normals(&self, id: TextureId, usage: Usage) -> bool {
+        self.uploaded(id, usage).is_some_and(|uploaded| uploaded.holds_normals)
+    }
+
     /// Which opacities the texture holds.
     pub(super) fn opacity(&self, id: TextureId, usage: Usage) -> Opacity {
         self.uploaded(id, usage).map_or(Opacity::Opaque, |uploaded| uploaded.opacity)

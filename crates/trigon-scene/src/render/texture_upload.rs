@@ -19,6 +19,8 @@ pub(super) enum Usage {
     Vector,
     /// One number.
     Scalar(ScalarSource),
+    /// Heights, as luminance; or normals, if the picture looks like a normal map.
+    Height,
 }
 
 /// Where a scalar map takes its number from.
@@ -85,6 +87,14 @@ impl Opacity {
 pub(super) struct Uploaded {
     pub(super) texture: Texture,
     pub(super) opacity: Opacity,
+    /// It was asked for as heights, but holds normals.
+    pub(super) holds_normals: bool,
+}
+
+impl Uploaded {
+    fn new(texture: Texture, opacity: Opacity) -> Self {
+        Self { texture, opacity, holds_normals: false }
+    }
 }
 
 /// Makes the texture for one use of `image`.
@@ -94,6 +104,8 @@ pub(super) fn upload(image: &DecodedImage, usage: Usage) -> Result<Uploaded, Tex
         Usage::Color | Usage::OpaqueColor => color(image, size, usage == Usage::Color),
         Usage::Vector => vector(image, size),
         Usage::Scalar(source) => scalar(image, size, source),
+        Usage::Height if looks_like_normals(image) => Ok(Uploaded { holds_normals: true, ..vector(image, size)? }),
+        Usage::Height => scalar(image, size, ScalarSource::Luminance),
     }
 }
 
@@ -106,18 +118,18 @@ fn color(image: &DecodedImage, size: [u32; 2], has_alpha: bool) -> Result<Upload
         if !has_alpha {
             pixels.iter_mut().for_each(|p| p[3] = 1.0);
         }
-        return Ok(Uploaded { texture: Texture::from_floats(&desc, pixels.as_flattened())?, opacity });
+        return Ok(Uploaded::new(Texture::from_floats(&desc, pixels.as_flattened())?, opacity));
     }
     let bytes = image.clone().into_rgba8();
     let desc = TextureDesc::new(size, TexelFormat::Rgba8Srgb);
     // An alpha channel that is zero everywhere was never meant as opacity.
     if has_alpha && bytes.pixels().iter().any(|p| p[3] != 0) {
         let opacity = Opacity::of(bytes.pixels().iter().map(|p| p[3]));
-        return Ok(Uploaded { texture: Texture::from_bytes(&desc, bytes.as_bytes())?, opacity });
+        return Ok(Uploaded::new(Texture::from_bytes(&desc, bytes.as_bytes())?, opacity));
     }
     let mut pixels = bytes.into_pixels();
     pixels.iter_mut().for_each(|p| p[3] = u8::MAX);
-    Ok(Uploaded { texture: Texture::from_bytes(&desc, pixels.as_flattened())?, opacity: Opacity::Opaque })
+    Ok(Uploaded::new(Texture::from_bytes(&desc, pixels.as_flattened())?, Opacity::Opaque))
 }
 
 fn vector(image: &DecodedImage, size: [u32; 2]) -> Result<Uploaded, TextureError> {
@@ -137,7 +149,7 @@ fn vector(image: &DecodedImage, size: [u32; 2]) -> Result<Uploaded, TextureError
             Texture::from_bytes(&TextureDesc::new(size, TexelFormat::Rgba8), image.as_bytes())?
         }
     };
-    Ok(Uploaded { texture, opacity: Opacity::Opaque })
+    Ok(Uploaded::new(texture, Opacity::Opaque))
 }
 
 fn scalar(image: &DecodedImage, size: [u32; 2], source: ScalarSource) -> Result<Uploaded, TextureError> {
@@ -150,7 +162,7 @@ fn scalar(image: &DecodedImage, size: [u32; 2], source: ScalarSource) -> Result<
     let floats = |values: Vec<f32>| {
         let opacity = Opacity::of(values.iter().map(|v| unit_to_byte(*v)));
         let texture = Texture::from_floats(&desc(TexelFormat::R32Float), &values)?;
-        Ok(Uploaded { texture, opacity })
+        Ok(Uploaded::new(texture, opacity))
     };
     match image {
         DecodedImage::Rgba16(image) => {
@@ -162,9 +174,25 @@ fn scalar(image: &DecodedImage, size: [u32; 2], source: ScalarSource) -> Result<
             let bytes: Vec<u8> =
                 image.pixels().iter().map(|p| unit_to_byte(pick(p.map(|v| f32::from(v) / 255.0), source))).collect();
             let opacity = Opacity::of(bytes.iter().copied());
-            Ok(Uploaded { texture: Texture::from_bytes(&desc(TexelFormat::R8), &bytes)?, opacity })
+            Ok(Uploaded::new(Texture::from_bytes(&desc(TexelFormat::R8), &bytes)?, opacity))
         }
     }
+}
+
+/// Whether nearly all pixels are unit vectors that point out of the surface, and the picture is blue on the whole.
+fn looks_like_normals(image: &DecodedImage) -> bool {
+    let image = image.clone().into_rgba8();
+    let (mut n_unit, mut sum) = (0usize, [0.0f64; 3]);
+    for &[r, g, b, _] in image.pixels() {
+        let n = [r, g, b].map(|code| (f64::from(code) - 128.0) / 127.0);
+        let length_squared = (n[0] * n[0] + n[1] * n[1]) + n[2] * n[2];
+        n_unit += usize::from(n[2] > 0.0 && (0.6..1.4).contains(&length_squared));
+        sum = [sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]];
+    }
+    let count = image.pixels().len();
+    #[expect(clippy::cast_precision_loss, reason = "a threshold")]
+    let is_blue = sum[2] - sum[0].max(sum[1]) > 0.4 * count as f64;
+    is_blue && n_unit >= count - count / 10
 }
 
 fn pick([r, g, b, a]: [f32; 4], source: ScalarSource) -> f32 {

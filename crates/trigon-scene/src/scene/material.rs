@@ -114,15 +114,15 @@ pub struct Maps {
     pub opacity: Option<TextureRef>,
     /// `map_Tr`: a scalar map of transparency; multiplies `opacity` by 1 - value.
     pub transparency: Option<TextureRef>,
-    /// `bump`, `map_bump`: height above the surface; a scalar map.
+    /// `bump`, `map_bump`: height above the surface; a scalar map. A picture of normals is drawn as `normal`.
     pub bump: Option<TextureRef>,
     /// `norm`, `map_Kn`: tangent-space normals, (r, g, b) = (n + 1) / 2, green up.
     pub normal: Option<TextureRef>,
-    /// `disp`: displacement along the normal; a scalar map.
+    /// `disp`: displacement along the normal; a scalar map. Drawn as `bump` where there is none.
     pub displacement: Option<TextureRef>,
-    /// `decal`: a scalar map that mixes the texture over the material's colour.
+    /// `decal`: a scalar map that mixes the texture over the material's colour; kept, not drawn.
     pub decal: Option<TextureRef>,
-    /// `refl`: one map for a sphere or up to six for a cube.
+    /// `refl`: one map for a sphere or up to six for a cube; kept, not drawn.
     pub reflection: Vec<TextureRef>,
     /// `map_Pr`: a scalar map.
     pub roughness: Option<TextureRef>,

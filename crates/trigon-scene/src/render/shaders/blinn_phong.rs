@@ -39,7 +39,7 @@ impl<'a, A: Layout> BlinnPhong<'a, A> {
         let normals = NormalSource {
             is_flat: is_flat || mesh.normals.is_empty(),
             is_point,
-            has_tangents: !mesh.tangents.is_empty(),
+            has_tangents: surface.has_tangents() && !mesh.tangents.is_empty(),
             normal: surface.normal.as_ref(),
             bump: surface.bump.as_ref(),
         };

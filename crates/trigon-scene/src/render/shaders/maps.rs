@@ -56,6 +56,12 @@ impl<L: Lanes> Footprint<L> {
 }
 
 impl MapUse<'_> {
+    /// For u and v, -1 where the map runs backwards.
+    #[inline(always)]
+    pub(super) fn direction(&self) -> [f32; 2] {
+        [1.0_f32.copysign(self.scale[0]), 1.0_f32.copysign(self.scale[1])]
+    }
+
     /// Sixteen values: a colour premultiplied by its alpha, or one number in all channels.
     #[inline(never)]
     pub(super) fn sample<L: Lanes>(&self, l: L, footprint: &Footprint<L>) -> Rgba<L> {

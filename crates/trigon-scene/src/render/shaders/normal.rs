@@ -72,9 +72,11 @@ impl NormalSource<'_> {
             if !self.has_tangents {
                 return gradient.by_normal_map(&p.footprint.placed(l, map), normal, m);
             }
+            // As MikkTSpace has it: interpolated, and not made orthogonal again.
             let tangent = p.tangent.xyz();
             let bitangent = p.normal.cross(tangent) * p.tangent.w;
-            return ((tangent * m.x + bitangent * m.y) + p.normal * m.z).normalize();
+            let [u, v] = map.direction();
+            return ((tangent * (m.x * u) + bitangent * (m.y * v)) + p.normal * m.z).normalize();
         }
         match self.bump {
             Some(map) => gradient.by_height(l, map, &p.footprint, normal),

@@ -5,7 +5,6 @@
 
 use super::blinn_phong::BlinnPhong;
 use super::vertex::{Attributes, Layout};
-use crate::render::material::Slot;
 use crate::render::shader_kind::ShaderKind;
 use trigon::lanes::{F32, Lanes, Mask, Rgba, U32, Vec3};
 use trigon::math::srgb8_to_linear;
@@ -38,7 +37,7 @@ impl<A: Layout> Overlay<'_, A> {
     fn mip_level<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Vec3<L> {
         let point = self.base.point(l, f);
         let facing = 0.35 + 0.65 * self.base.normal(l, &point).dot(point.to_eye).saturate();
-        let Some(map) = self.base.surface.maps.iter().find(|map| map.slot == Slot::Diffuse) else {
+        let Some(map) = self.base.surface.diffuse_map() else {
             return l.vec3([0.6; 3]) * facing;
         };
         let (dx, dy, scale) = (f.dx.uv(), f.dy.uv(), l.vec2(map.scale));

@@ -72,6 +72,8 @@ pub(in crate::render) struct MeshView<'a> {
     world_from_model: lanes::Mat4,
     /// The columns of the matrix for normals.
     normal_from_model: lanes::Mat4,
+    /// -1 for a transform that mirrors: it turns the bitangent around, which is a cross product.
+    handedness: f32,
 }
 
 impl<'a> MeshView<'a> {
@@ -89,6 +91,7 @@ impl<'a> MeshView<'a> {
             clip_from_model: lanes::Mat4 { columns: clip.columns },
             world_from_model: lanes::Mat4 { columns: world.columns },
             normal_from_model: lanes::Mat4 { columns: [x, y, z, [0.0, 0.0, 0.0, 1.0]] },
+            handedness: if world.linear_determinant() < 0.0 { -1.0 } else { 1.0 },
         }
     }
 
@@ -138,7 +141,7 @@ impl Layout for Full {
         let color = if mesh.colors.is_empty() { l.vec4([1.0; 4]) } else { index.gather_vec4(mesh.colors) };
         let tangent = index.gather_vec4(mesh.tangents);
         let along = mesh.world_from_model.transform_vector(tangent.xyz()).normalize();
-        FullVarying { position, normal, uv, color, tangent: along.extend(tangent.w) }
+        FullVarying { position, normal, uv, color, tangent: along.extend(tangent.w * mesh.handedness) }
     }
 }
 
