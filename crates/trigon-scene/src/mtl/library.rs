@@ -118,9 +118,9 @@ impl Reader<'_, '_, '_> {
 
     fn finish_material(&mut self) -> Result<(), LoadError> {
         let Some(draft) = self.draft.take() else { return Ok(()) };
-        let (material, contradiction) = draft.finish();
-        if contradiction {
-            let message = format!("material {}: d and Tr contradict each other; d taken", material.name);
+        let (material, remark) = draft.finish();
+        if let Some(remark) = remark {
+            let message = format!("material {}: {remark}", material.name);
             self.context.findings.warn(self.file, Place::File, WarningKind::Ignored, message)?;
         }
         match self.materials.iter_mut().find(|known| known.name == material.name) {

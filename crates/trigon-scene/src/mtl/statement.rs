@@ -138,8 +138,8 @@ impl Draft {
         })
     }
 
-    /// The material, and whether `d` and `Tr` contradict each other.
-    pub(super) fn finish(self) -> (Material, bool) {
+    /// The material, and what is odd about its opacity.
+    pub(super) fn finish(self) -> (Material, Option<&'static str>) {
         let mut material = self.material;
         let white_if = |has_map: bool, otherwise: [f32; 3]| if has_map { [1.0; 3] } else { otherwise };
         let maps = &material.maps;
@@ -151,10 +151,23 @@ impl Draft {
         if self.ambient.is_none() && maps.ambient.is_none() {
             material.maps.ambient.clone_from(&material.maps.diffuse);
         }
-        let opaque = self.transparency.map(|transparency| 1.0 - transparency);
-        let contradiction = matches!((self.dissolve, opaque), (Some(d), Some(o)) if (d - o).abs() > 1e-3);
-        material.opacity = self.dissolve.or(opaque).unwrap_or(1.0).clamp(0.0, 1.0);
-        (material, contradiction)
+        let (opacity, remark) = opacity(self.dissolve, self.transparency);
+        material.opacity = opacity;
+        (material, remark)
+    }
+}
+
+/// The opacity that `d` and `Tr` = 1 - d mean together, and what is odd about them.
+fn opacity(dissolve: Option<f32>, transparency: Option<f32>) -> (f32, Option<&'static str>) {
+    match (dissolve, transparency.map(|transparency| 1.0 - transparency)) {
+        (Some(d), Some(other)) if (d - other).abs() > 1e-3 => {
+            (d.clamp(0.0, 1.0), Some("d and Tr contradict each other; d taken"))
+        }
+        // Some programs write the opacity here, and nobody writes materials that cannot be seen.
+        (None, Some(opacity)) if opacity <= 0.0 => {
+            (1.0, Some("Tr 1 would make it invisible; drawn opaque, as it is meant by programs that write Tr for d"))
+        }
+        (d, other) => (d.or(other).unwrap_or(1.0).clamp(0.0, 1.0), None),
     }
 }
 

@@ -135,7 +135,7 @@ impl Piece<'_> {
         Some(item)
     }
 
-    /// Line elements are never lit.
+    /// Line elements are never lit. Those that nothing gives a colour stand out before the background.
     fn lines<'f>(&'f self, settings: &RenderSettings, frame: &'f FrameUniforms) -> Option<Item<'f>> {
         let segments = self.mesh.segments.get(self.submesh.segments.clone()).filter(|s| !s.is_empty())?;
         let width_px = settings.line_width_px;
@@ -150,7 +150,8 @@ impl Piece<'_> {
             return Some(Item::opaque(self.shader(settings, frame, true), primitives, self.object, first));
         }
         let alpha = if self.surface.coverage == Coverage::Blend { self.surface.opacity } else { 1.0 };
-        let [r, g, b] = self.surface.diffuse.map(|c| c * alpha);
+        let color = if self.surface.is_neutral { settings.ink() } else { self.surface.diffuse };
+        let [r, g, b] = color.map(|c| c * alpha);
         let shader = Box::new(Stroke {
             mesh: self.view(frame),
             color: [r, g, b, alpha],

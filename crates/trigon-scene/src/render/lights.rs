@@ -2,7 +2,7 @@
 //!
 //! In: the scene's lights, the camera. Out: a sum of ambient light and a list of sources. The rig is attached to the
 //! camera, so that a model looks good from every side: a key light from the upper left, a weak fill from the right, a
-//! rim light from behind, and a sky that is brighter than the ground.
+//! rim light from behind, and a sky that is brighter than the ground. Their sum keeps white surfaces just below white.
 
 use crate::math::vec3::{self, Vec3};
 use crate::scene::{Camera, Light, LightKind};
@@ -95,11 +95,11 @@ impl Lighting {
             cone: None,
             has_highlight,
         };
-        let key = source(from(-0.5, 0.75, 0.8), [0.80, 0.77, 0.72], true);
+        let key = source(from(-0.5, 0.75, 0.8), [0.72, 0.695, 0.655], true);
         let fill = source(from(0.9, 0.1, 0.55), [0.10, 0.12, 0.15], false);
         let rim = source(from(0.45, 0.55, -0.75), [0.28, 0.30, 0.34], true);
         let world_up = vec3::normalized(camera.up).unwrap_or(up);
-        let sky = Sky::new(world_up, [0.30, 0.32, 0.35], [0.10, 0.095, 0.09]);
+        let sky = Sky::new(world_up, [0.26, 0.28, 0.305], [0.10, 0.095, 0.09]);
         Self { ambient: [0.0; 3], sky: Some(sky), sources: vec![key, fill, rim] }
     }
 }

@@ -25,6 +25,8 @@ pub(super) struct Surface<'a> {
     pub(super) is_halo: bool,
     pub(super) illumination: Illumination,
     pub(super) coverage: Coverage,
+    /// Nothing says what colour it has.
+    pub(super) is_neutral: bool,
     /// Maps that multiply factors.
     pub(super) maps: Vec<MapUse<'a>>,
     /// Those of them that hold opacity.
@@ -85,6 +87,16 @@ pub(super) struct MapUse<'a> {
     pub(super) strength: f32,
 }
 
+/// What the vertices of a mesh say about its surface.
+#[derive(Clone, Copy)]
+pub(super) struct VertexFacts {
+    /// Without texture coordinates no map is read.
+    pub(super) has_uv: bool,
+    pub(super) has_colors: bool,
+    /// Some colour is translucent.
+    pub(super) has_alpha: bool,
+}
+
 /// A texture that a material needs in a frame.
 pub(super) struct Request<'a> {
     pub(super) slot: Slot,
@@ -123,7 +135,7 @@ impl Needs {
         let maps = &material.maps;
         let illumination = self.illumination(material);
         let is_lit = illumination != Illumination::Color;
-        let shines = illumination == Illumination::Specular && material.specular != [0.0; 3];
+        let shines = illumination == Illumination::Specular && has_highlight(material);
         let has_alpha = self.alpha != AlphaMode::Opaque;
         let color = if has_alpha { Usage::Color } else { Usage::OpaqueColor };
         let scalar = |map: &'m Option<TextureRef>, default| {
@@ -169,18 +181,17 @@ pub(super) fn wanted(materials: &[Material], needs: &Needs) -> Vec<(TextureId, U
 }
 
 impl<'a> Surface<'a> {
-    /// `material` with the uploaded `textures`. `has_uv`: without coordinates no map is read. `has_alpha`: of vertices.
+    /// `material` on `vertices`, with the uploaded `textures`.
     pub(super) fn new(
         material: &Material,
         needs: &Needs,
         settings: &RenderSettings,
         textures: &'a TextureCache,
-        has_uv: bool,
-        has_alpha: bool,
+        vertices: VertexFacts,
     ) -> Self {
         let illumination = needs.illumination(material);
         let glows = needs.is_lit();
-        let shines = illumination == Illumination::Specular;
+        let shines = illumination == Illumination::Specular && has_highlight(material);
         let mut surface = Self {
             ambient: linear(material.ambient),
             diffuse: linear(material.diffuse),
@@ -191,13 +202,18 @@ impl<'a> Surface<'a> {
             is_halo: material.is_halo,
             illumination,
             coverage: Coverage::Opaque,
+            is_neutral: material.is_neutral() && !vertices.has_colors,
             maps: Vec::new(),
             opacity_maps: Vec::new(),
             normal: None,
             bump: None,
         };
+        if vertices.has_colors && material.is_neutral() {
+            // The colours of the vertices are all there is to say.
+            (surface.ambient, surface.diffuse) = ([1.0; 3], [1.0; 3]);
+        }
         let mut opacity = Opacity::Opaque;
-        for request in needs.requests(material).iter().filter(|_| has_uv) {
+        for request in needs.requests(material).iter().filter(|_| vertices.has_uv) {
             let Some(texture) = textures.get(request.map.texture, request.usage) else { continue };
             let its_opacity = textures.opacity(request.map.texture, request.usage);
             let map = MapUse::new(request, texture, settings);
@@ -210,7 +226,7 @@ impl<'a> Surface<'a> {
                 opacity = opacity.max(its_opacity);
             }
         }
-        let is_solid = material.opacity >= 0.999 && !has_alpha;
+        let is_solid = material.opacity >= 0.999 && !vertices.has_alpha;
         surface.coverage = coverage(settings.alpha, is_solid, opacity);
         surface
     }
@@ -282,6 +298,12 @@ impl<'a> MapUse<'a> {
             strength: options.bump_multiplier,
         }
     }
+}
+
+/// Whether the material has highlights. An exponent of zero would be none, but a veil over the whole lit side that ends
+/// at a sharp line; exporters write it for surfaces that do not shine.
+fn has_highlight(material: &Material) -> bool {
+    material.specular != [0.0; 3] && material.specular_exponent > 0.0
 }
 
 /// Display values to linear light.

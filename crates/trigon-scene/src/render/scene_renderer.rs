@@ -7,7 +7,7 @@ use super::draws::{self, Item, Piece};
 use super::edges::unique_edges;
 use super::error::RenderError;
 use super::frame::FrameUniforms;
-use super::material::{Needs, Surface, wanted};
+use super::material::{Needs, Surface, VertexFacts, wanted};
 use super::overdraw::color_counts;
 use super::settings::RenderSettings;
 use super::shader_kind::ShaderKind;
@@ -105,8 +105,10 @@ impl SceneRenderer {
             let (Some(mesh), Some(facts)) = (scene.meshes.get(index), self.facts.get(index)) else { continue };
             for submesh in &mesh.submeshes {
                 let material = scene.material(submesh.material).unwrap_or(&self.neutral);
-                let (has_uv, has_alpha) = (!mesh.uvs.is_empty(), facts.has_translucent_colors);
-                let surface = Surface::new(material, &needs, settings, &self.textures, has_uv, has_alpha);
+                let mut surface = Surface::new(material, &needs, settings, &self.textures, facts.of_vertices(mesh));
+                if surface.is_neutral && submesh.triangles.is_empty() && !facts.has_point_normals {
+                    surface.diffuse = settings.ink();
+                }
                 pieces.push(Piece { instance, mesh, facts, submesh, object: first_object + submesh.part, surface });
             }
             first_object += u32::try_from(mesh.parts.len().max(1)).unwrap_or(1);
@@ -123,6 +125,14 @@ impl MeshFacts {
             has_point_normals: mesh.points.iter().any(|point| normal(point).is_some_and(|n| *n != [0.0; 3])),
             edges: Vec::new(),
             has_edges: false,
+        }
+    }
+
+    fn of_vertices(&self, mesh: &Mesh) -> VertexFacts {
+        VertexFacts {
+            has_uv: !mesh.uvs.is_empty(),
+            has_colors: !mesh.colors.is_empty(),
+            has_alpha: self.has_translucent_colors,
         }
     }
 

@@ -62,6 +62,15 @@ impl RenderSettings {
 
     /// The default background: sRGB #e6e8eb, a light cool grey on which light and dark models both stand out.
     pub const DEFAULT_BACKGROUND: [f32; 4] = [0.791_298, 0.806_952_3, 0.830_769_9, 1.0];
+
+    /// The colour of lines and points that have none of their own, in linear light: near black, or light grey before a
+    /// dark background. A transparent one counts as white, on which most such pictures end up.
+    #[must_use]
+    pub fn ink(&self) -> [f32; 3] {
+        let [r, g, b, alpha] = self.background;
+        let luminance = ((0.2126 * r + 0.7152 * g) + 0.0722 * b) + (1.0 - alpha);
+        if luminance > 0.18 { [0.02, 0.021, 0.024] } else { [0.75; 3] }
+    }
 }
 
 /// How textures are read; options of a material's map (`-clamp`, `-blendu`) come before.

@@ -55,6 +55,14 @@ pub struct Material {
     pub maps: Maps,
 }
 
+impl Material {
+    /// Whether this is the neutral material, whatever its name.
+    #[must_use]
+    pub fn is_neutral(&self) -> bool {
+        *self == Self { name: self.name.clone(), ..Self::default() }
+    }
+}
+
 impl Default for Material {
     fn default() -> Self {
         Self {

@@ -73,7 +73,7 @@ impl Source {
             let cosine = -to_light.dot(l.vec3(cone.axis));
             let t = ((cosine - l.f32(cone.cos_outer)) * cone.inverse_range).saturate();
             // Smooth at both ends.
-            strength = strength * ((t * t) * (3.0 - 2.0 * t));
+            strength *= (t * t) * (3.0 - 2.0 * t);
         }
         (to_light, strength)
     }
