@@ -64,14 +64,6 @@ impl Models {
             self.scene.transform(step);
         }
     }
-
-    /// Whether there is nothing at all to draw.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.scene
-            .meshes
-            .iter()
-            .all(|mesh| mesh.triangles.is_empty() && mesh.segments.is_empty() && mesh.points.is_empty())
-    }
 }
 
 fn load_one(path: &Path, options: &LoadOptions) -> Result<Loaded, Failure> {
@@ -146,6 +138,10 @@ fn add_texture(scene: &mut Scene, path: &Path, limits: &Limits) -> Result<(), Fa
     let texture = Texture::new(path.display().to_string(), bytes);
     scene.textures.push(Texture { max_pixels: limits.texture_pixels, ..texture });
     for material in &mut scene.materials {
+        if material.is_neutral() {
+            // The picture shows as it is.
+            (material.ambient, material.diffuse) = ([1.0; 3], [1.0; 3]);
+        }
         material.maps.diffuse.get_or_insert_with(|| TextureRef::new(id));
     }
     Ok(())

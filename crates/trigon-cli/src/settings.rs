@@ -14,7 +14,7 @@ use trigon_scene::render::{RenderSettings, ShaderKind, TextureSampling, Wirefram
 /// The settings that the options ask for.
 pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Result<RenderSettings, Failure> {
     let (picture, shading) = (&options.picture, &options.shading);
-    Ok(RenderSettings {
+    let mut settings = RenderSettings {
         samples: sample_pattern(picture.pattern, picture.samples)?,
         shading: match picture.shading {
             RateChoice::Pixel => ShadingRate::Pixel,
@@ -32,11 +32,12 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
             CullChoice::Front => Cull::Front,
         },
         sampling: texture_sampling(options),
-        wireframe: shading.wireframe.map(|mode| wireframe(mode, shading.line_width.to_f32())),
         line_width_px: shading.line_width.to_f32(),
         point_size_px: shading.point_size.to_f32(),
         ..RenderSettings::new(picture.size.width, picture.size.height)
-    })
+    };
+    settings.wireframe = shading.wireframe.map(|mode| wireframe(mode, &settings));
+    Ok(settings)
 }
 
 /// Light grey behind surfaces as they look, black behind colours that stand for numbers.
@@ -85,12 +86,15 @@ fn texture_sampling(options: &RenderOptions) -> TextureSampling {
     }
 }
 
-fn wireframe(mode: WireframeChoice, width_px: f32) -> Wireframe {
+/// Edges over surfaces are dark; alone, they stand out before the background.
+fn wireframe(mode: WireframeChoice, settings: &RenderSettings) -> Wireframe {
+    let surface = mode == WireframeChoice::Over;
+    let [r, g, b] = settings.ink();
     Wireframe {
-        width_px,
-        surface: mode == WireframeChoice::Over,
+        color: if surface { Wireframe::default().color } else { [r, g, b, 1.0] },
+        width_px: settings.line_width_px,
+        surface,
         hidden_lines: mode == WireframeChoice::Only,
-        ..Wireframe::default()
     }
 }
 

@@ -73,11 +73,16 @@ impl Terminal {
 
 /// `kind: message`, the kind bold and in a colour (an SGR code) if there is one.
 fn labelled(kind: &str, color: Option<&str>, message: &str) -> String {
-    let message = message.trim_end();
+    let message = printable(message.trim_end());
     match color {
         Some(color) => format!("\x1b[1;{color}m{kind}:\x1b[0m {message}"),
         None => format!("{kind}: {message}"),
     }
+}
+
+/// Names in files may hold anything, but must not control the terminal.
+fn printable(message: &str) -> String {
+    message.replace(|c: char| c.is_control() && c != '\n' && c != '\t', "\u{fffd}")
 }
 
 fn to_stderr(text: &str) {
@@ -102,5 +107,10 @@ mod tests {
     fn colours_are_optional() {
         assert_eq!(labelled("error", None, "no such file\n"), "error: no such file");
         assert_eq!(labelled("error", Some("31"), "x"), "\u{1b}[1;31merror:\u{1b}[0m x");
+    }
+
+    #[test]
+    fn names_cannot_control_the_terminal() {
+        assert_eq!(labelled("error", None, "\u{1b}[2Ja\u{9b}b\r\n\tc"), "error: \u{fffd}[2Ja\u{fffd}b\u{fffd}\n\tc");
     }
 }

@@ -81,10 +81,6 @@ impl Studio {
         self.report.stages.load = started.elapsed();
         output.check_not_among(&models.files)?;
         self.warn_all(&models.warnings)?;
-        if models.is_empty() {
-            let names = self.report.models.join(", ");
-            self.finding(format!("{names}: has no faces, lines or points; nothing to draw"))?;
-        }
         models.place(&options.view);
         self.up = options.view.up.unwrap_or(models.up);
         self.scene = models.scene;
@@ -157,15 +153,6 @@ impl Studio {
             }
             self.report.warn(self.terminal, warning.to_string());
         }
-        Ok(())
-    }
-
-    /// A warning of our own, or an error if strict.
-    fn finding(&mut self, message: String) -> Result<(), Failure> {
-        if self.is_strict {
-            return Err(Failure::work(format!("{message} (an error because of --strict)")));
-        }
-        self.report.warn(self.terminal, message);
         Ok(())
     }
 }

@@ -18,7 +18,7 @@ pub(crate) struct ShadingOptions {
     /// ambient:INTENSITY, directional:X,Y,Z:INTENSITY (the way that the light travels), point:X,Y,Z:INTENSITY, or
     /// spot:X,Y,Z:DX,DY,DZ:ANGLE:INTENSITY (half the angle of the cone, or INNER/OUTER), each with :COLOUR at its end
     /// if it is not white. Point and spot lights lose strength with the square of the distance.
-    #[arg(long = "light", value_name = "KIND:..", verbatim_doc_comment)]
+    #[arg(long = "light", value_name = "KIND:..")]
     pub(crate) lights: Vec<LightValue>,
 
     /// Sides of triangles that are left out

@@ -32,7 +32,8 @@ fn what_is_no_model_is_refused() {
 #[test]
 fn an_empty_model_gives_an_empty_picture_and_a_warning() {
     let folder = Folder::new().with("empty.obj", "# nothing\n");
-    folder.run("empty.obj -o a.png -s 16").succeeds().says(&["warning: ", "nothing to draw"]);
+    let finished = folder.run("empty.obj -o a.png -s 16").succeeds();
+    assert_eq!(finished.stderr, "warning: empty.obj: the file holds nothing to draw\n");
     folder.run("empty.obj -o b.png -s 16 --strict").fails_with(&["nothing to draw"]);
     assert_eq!(folder.names(), ["a.png", "empty.obj"]);
 }

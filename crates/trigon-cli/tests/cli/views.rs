@@ -110,6 +110,19 @@ fn lights_and_shaders_change_the_picture() {
 }
 
 #[test]
+fn edges_alone_stand_out_before_any_background() {
+    let folder = Folder::with_cube();
+    for (background, is_dark) in [("white", false), ("black", true), ("#234", true), ("lemonchiffon", false)] {
+        for mode in ["only", "hidden"] {
+            let options = format!("cube.obj {SIZE} --wireframe={mode} --line-width 3 --background {background}");
+            let picture = folder.picture(&options);
+            let is_edge = |pixel: &&[u8; 4]| if is_dark { pixel[1] > 180 } else { pixel[1] < 60 };
+            assert!(picture.pixels().iter().filter(is_edge).count() > 100, "{options}");
+        }
+    }
+}
+
+#[test]
 fn a_red_light_makes_red_pictures() {
     let folder = Folder::with_cube();
     let picture = folder.picture(&format!("cube.obj {SIZE} --light directional:-1,-1,-1:1:red"));
