@@ -1,0 +1,126 @@
+//! From a drawing to pixels: the settings, the call, the result.
+
+use super::{Drawing, PixelRect};
+use crate::engine;
+use core::fmt;
+use trigon::lanes::SimdLevel;
+use trigon::target::{MAX_SIZE, SamplePattern};
+use trigon_image::{Color, Rgba8Image};
+
+/// How drawings are turned into pixels. Threads and level change the speed of a picture, never a bit of it.
+#[derive(Clone, Debug)]
+pub struct Renderer {
+    /// Where in each pixel coverage is tested; 1, 4, 9 or 16 samples as a grid, or a standard pattern.
+    pub pattern: SamplePattern,
+    /// Threads at work, the caller's included; 0 counts as 1.
+    pub threads: usize,
+    /// The instruction set of the kernels.
+    pub simd: SimdLevel,
+    /// Most pixels of any one picture that is held in memory: the result, the layer of a filter, the tile of a pattern.
+    /// Layers of filters are cut to it, pattern tiles reduced.
+    pub max_pixels: u64,
+    /// Most layers, masks, patterns and filters inside each other; deeper ones are not drawn.
+    pub max_depth: u32,
+}
+
+/// A finished picture: sRGB-encoded, premultiplied, row 0 at the top.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Picture {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) pixels: Vec<[u8; 4]>,
+}
+
+/// Why nothing was drawn.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum DrawError {
+    /// A side is above 16,384 pixels, or the picture has more pixels than [`Renderer::max_pixels`].
+    TooLarge {
+        /// Width asked for.
+        width: u32,
+        /// Height asked for.
+        height: u32,
+    },
+    /// This CPU lacks the level of [`Renderer::simd`].
+    SimdUnavailable(SimdLevel),
+}
+
+impl Renderer {
+    /// Sixteen samples on a grid, one thread, the best level of this CPU.
+    #[must_use]
+    pub fn new() -> Self {
+        let pattern = SamplePattern::grid(16).unwrap_or(SamplePattern::CENTER);
+        Self { pattern, threads: 1, simd: SimdLevel::detect(), max_pixels: 1 << 28, max_depth: 64 }
+    }
+
+    /// Draws what of `drawing` lies in 0..`width` and 0..`height`, over `background` (often transparent).
+    ///
+    /// # Errors
+    /// If the size is over a limit, or the CPU lacks the SIMD level.
+    pub fn draw(&self, drawing: &Drawing, width: u32, height: u32, background: Color) -> Result<Picture, DrawError> {
+        let too_large = u64::from(width) * u64::from(height) > self.max_pixels;
+        if width > MAX_SIZE || height > MAX_SIZE || too_large {
+            return Err(DrawError::TooLarge { width, height });
+        }
+        self.simd.require().map_err(|_| DrawError::SimdUnavailable(self.simd))?;
+        let region = PixelRect { x: 0, y: 0, width, height };
+        let pixels = engine::draw(self, drawing, region, background);
+        Ok(Picture { width, height, pixels })
+    }
+}
+
+impl Default for Renderer {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Picture {
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Red, green, blue, alpha of pixel (x, y) at `y * width + x`, premultiplied.
+    #[must_use]
+    pub fn pixels(&self) -> &[[u8; 4]] {
+        &self.pixels
+    }
+
+    /// Gives the pixels away.
+    #[must_use]
+    pub fn into_pixels(self) -> Vec<[u8; 4]> {
+        self.pixels
+    }
+
+    /// With straight alpha, as files want it: each colour is divided by alpha and rounded to nearest.
+    #[must_use]
+    pub fn to_image(&self) -> Rgba8Image {
+        let mut image = Rgba8Image::new(self.width, self.height);
+        for (out, pixel) in image.pixels_mut().iter_mut().zip(&self.pixels) {
+            *out = engine::straight(*pixel);
+        }
+        image
+    }
+}
+
+impl fmt::Display for DrawError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooLarge { width, height } => {
+                write!(f, "a picture of {width}x{height} pixels is over the limit; draw it smaller or in parts")
+            }
+            Self::SimdUnavailable(level) => write!(f, "SIMD level '{level}' is not available on this CPU"),
+        }
+    }
+}
+
+impl std::error::Error for DrawError {}

@@ -1,0 +1,10 @@
+//! 2D drawing and SVG for trigon: paths, paints and layers in, a picture out.
+//!
+//! Every sample of every pixel is inside or outside a shape by its winding number, computed with exact integers, and
+//! samples are averaged once, when the whole picture is done. So shapes that share an edge meet without a seam, and the
+//! picture is the same, bit for bit, at every SIMD level and with any number of threads.
+//!
+//! [`canvas`] is the drawing interface for Rust programs.
+
+pub mod canvas;
+mod engine;
