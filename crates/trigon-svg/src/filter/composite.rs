@@ -3,7 +3,7 @@
 //! Colors are premultiplied, so that a Porter-Duff operator is one formula for all four channels: source times Fa plus
 //! backdrop times Fb ("Compositing Digital Images", 1984).
 
-use super::raster::{Pixel, PixelRect, Raster, multiply, product};
+use super::raster::{Pixel, Raster, Region, multiply, product};
 
 /// How feComposite combines a source (`in`) with a backdrop (`in2`).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +75,7 @@ pub fn offset(source: &Raster, dx: i32, dy: i32) -> Raster {
 
 /// The part of `source` in `tile`, repeated over a picture of the same size.
 #[must_use]
-pub fn tile(source: &Raster, tile: PixelRect) -> Raster {
+pub fn tile(source: &Raster, tile: Region) -> Raster {
     let Some(tile) = tile.intersect(source.bounds()) else { return Raster::new(source.width(), source.height()) };
     let cell = source.cropped(tile);
     let phase = |start: i32, side: usize| {
@@ -128,7 +128,7 @@ mod tests {
     fn tiles_continue_both_ways() {
         let pixels = (0..35u8).map(|i| [i, 0, 0, 255]).collect();
         let source = Raster::from_pixels(7, 5, pixels).unwrap();
-        let tiled = tile(&source, PixelRect { left: 2, top: 1, right: 5, bottom: 3 });
+        let tiled = tile(&source, Region { left: 2, top: 1, right: 5, bottom: 3 });
         for y in 0..5 {
             for x in 0..7 {
                 let expected = source.pixel(2 + (x + 1) % 3, 1 + (y + 1) % 2);

@@ -30,7 +30,7 @@ pub enum ColorSpace {
 
 /// A rectangle of pixels: from `left`, `top` (inclusive) to `right`, `bottom` (exclusive).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PixelRect {
+pub struct Region {
     /// First column.
     pub left: i32,
     /// First row.
@@ -100,14 +100,14 @@ impl Raster {
 
     /// The whole picture as a rectangle.
     #[must_use]
-    pub fn bounds(&self) -> PixelRect {
+    pub fn bounds(&self) -> Region {
         let side = |length: usize| i32::try_from(length).unwrap_or(i32::MAX);
-        PixelRect { left: 0, top: 0, right: side(self.width), bottom: side(self.height) }
+        Region { left: 0, top: 0, right: side(self.width), bottom: side(self.height) }
     }
 
     /// The part in `rect`, which is cut to the picture first.
     #[must_use]
-    pub fn cropped(&self, rect: PixelRect) -> Self {
+    pub fn cropped(&self, rect: Region) -> Self {
         let Some(rect) = rect.intersect(self.bounds()) else { return Self::new(0, 0) };
         let (left, right) = (to_index(rect.left), to_index(rect.right));
         let rows = to_index(rect.top)..to_index(rect.bottom);
@@ -120,7 +120,7 @@ impl Raster {
     #[must_use]
     pub fn placed(source: &Self, left: i32, top: i32, width: usize, height: usize) -> Self {
         let mut placed = Self::new(width, height);
-        let shown = PixelRect {
+        let shown = Region {
             left,
             top,
             right: left.saturating_add(source.bounds().right),
@@ -139,7 +139,7 @@ impl Raster {
     }
 
     /// Makes everything outside `rect` transparent.
-    pub fn clear_outside(&mut self, rect: PixelRect) {
+    pub fn clear_outside(&mut self, rect: Region) {
         let Some(kept) = rect.intersect(self.bounds()) else { return self.pixels.fill([0; 4]) };
         let (left, right) = (to_index(kept.left), to_index(kept.right));
         let rows = to_index(kept.top)..to_index(kept.bottom);
@@ -188,7 +188,7 @@ impl Raster {
     }
 }
 
-impl PixelRect {
+impl Region {
     /// The common part; `None` where there is none.
     #[must_use]
     pub fn intersect(self, other: Self) -> Option<Self> {
@@ -316,7 +316,7 @@ mod tests {
     fn cropping_and_placing_are_inverse_inside_the_rectangle() {
         let pixels = (0..12).map(|i| [i, i, i, 255]).collect();
         let raster = Raster::from_pixels(4, 3, pixels).unwrap();
-        let rect = PixelRect { left: 1, top: 1, right: 3, bottom: 9 };
+        let rect = Region { left: 1, top: 1, right: 3, bottom: 9 };
         let crop = raster.cropped(rect);
         assert_eq!((crop.width(), crop.height(), crop.pixels()[0][0]), (2, 2, 5));
         let mut kept = raster.clone();

@@ -73,8 +73,7 @@ struct Wrap {
 /// Frequencies adjusted so that the stitched rectangle holds whole cells, and its wrap.
 fn stitched(noise: &Turbulence) -> ((f64, f64), Option<Wrap>) {
     let Some([x, y, width, height]) = noise.stitch else { return (noise.base_frequency, None) };
-    let frequency =
-        (whole_cells(noise.base_frequency.0, width), whole_cells(noise.base_frequency.1, height));
+    let frequency = (whole_cells(noise.base_frequency.0, width), whole_cells(noise.base_frequency.1, height));
     let size = (whole(width * frequency.0 + 0.5), whole(height * frequency.1 + 0.5));
     let at = |start: f64, size: i64| whole(start + PERLIN_N).saturating_add(size);
     (frequency, Some(Wrap { size, at: (at(x * frequency.0, size.0), at(y * frequency.1, size.1)) }))
