@@ -7,4 +7,6 @@
 //! [`canvas`] is the drawing interface for Rust programs.
 
 pub mod canvas;
+pub mod filter;
+pub mod svg;
 mod engine;

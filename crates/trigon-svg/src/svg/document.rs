@@ -1,0 +1,239 @@
+//! An SVG file that was read, and what can be asked of it: its size, a drawing, a picture.
+
+use std::sync::Arc;
+
+use trigon_image::Color;
+use usvg::roxmltree;
+
+use super::convert::Converter;
+use super::path::transform;
+use super::view::Fitted;
+use super::warnings::Warnings;
+use super::{Area, Limits, Options, SvgError, View, Warning};
+use crate::canvas::{Drawing, Picture, PixelRect, Renderer};
+
+/// An SVG file that was read: all references, styles and fonts are resolved.
+pub struct Document {
+    tree: usvg::Tree,
+    limits: Limits,
+    warnings: Warnings,
+}
+
+/// A document, or a part of it, ready to be drawn.
+#[derive(Debug, Clone)]
+pub struct Prepared {
+    /// What is drawn, in pixels.
+    pub drawing: Drawing,
+    /// The picture's width.
+    pub width: u32,
+    /// The picture's height.
+    pub height: u32,
+    /// What is not drawn, or not as the file says.
+    pub warnings: Vec<Warning>,
+}
+
+impl Document {
+    /// Reads an SVG file, plain or compressed with gzip.
+    ///
+    /// # Errors
+    /// If it is not SVG, or over a limit.
+    pub fn parse(bytes: &[u8], options: &Options) -> Result<Self, SvgError> {
+        let unpacked;
+        let bytes = if bytes.starts_with(&[0x1f, 0x8b]) {
+            unpacked = unpack(bytes, options.limits.max_bytes)?;
+            &unpacked
+        } else {
+            bytes
+        };
+        if bytes.len() > options.limits.max_bytes {
+            return Err(SvgError::LimitExceeded(format!("the file has over {} bytes", options.limits.max_bytes)));
+        }
+        let text = std::str::from_utf8(bytes).map_err(|_| SvgError::Malformed("it is not UTF-8 text".to_owned()))?;
+        on_a_large_stack(|| parse_text(text, options))
+    }
+
+    /// Width and height of the page in user space (pixels at the size the document asks for).
+    #[must_use]
+    pub fn size(&self) -> [f32; 2] {
+        [self.tree.size().width(), self.tree.size().height()]
+    }
+
+    /// Turns a part of the document into a drawing for a picture of the view's size.
+    ///
+    /// `renderer` draws what cannot wait: groups whose filter works in turned coordinates, and `feImage`.
+    ///
+    /// # Errors
+    /// If the view's id is not in the document, or its area has no extent.
+    pub fn prepare(&self, view: &View, renderer: &Renderer) -> Result<Prepared, SvgError> {
+        on_a_large_stack(|| self.convert(view, renderer))
+    }
+
+    /// Draws a part of the document, over `background`.
+    ///
+    /// # Errors
+    /// As [`prepare`](Self::prepare), and if the renderer refuses the size.
+    pub fn draw(
+        &self,
+        view: &View,
+        renderer: &Renderer,
+        background: Color,
+    ) -> Result<(Picture, Vec<Warning>), SvgError> {
+        let prepared = self.prepare(view, renderer)?;
+        let picture = renderer.draw(&prepared.drawing, prepared.width, prepared.height, background)?;
+        Ok((picture, prepared.warnings))
+    }
+
+    fn convert(&self, view: &View, renderer: &Renderer) -> Result<Prepared, SvgError> {
+        let node = match &view.id {
+            Some(id) => Some(self.tree.node_by_id(id).ok_or_else(|| SvgError::UnknownId(id.clone()))?),
+            None => None,
+        };
+        let area = self.area(view, node)?;
+        let fitted = view.size.fit(area).ok_or(SvgError::Empty)?;
+        let Fitted { width, height, pixels_from_user } = fitted;
+        let mut converter = Converter::new(renderer, &self.limits, PixelRect { x: 0, y: 0, width, height });
+        let mut drawing = Drawing::new();
+        match node {
+            None => {
+                let root = self.tree.root();
+                converter.group(&mut drawing, root, pixels_from_user * transform(root.transform()));
+            }
+            Some(usvg::Node::Group(group)) => {
+                converter.group(&mut drawing, group, pixels_from_user * transform(group.abs_transform()));
+            }
+            Some(node) => converter.node(&mut drawing, node, pixels_from_user * transform(node.abs_transform())),
+        }
+        let mut warnings = self.warnings.clone();
+        warnings.extend(&converter.warnings);
+        Ok(Prepared { drawing, width, height, warnings: warnings.into_list() })
+    }
+
+    /// The rectangle of user space that is drawn.
+    fn area(&self, view: &View, node: Option<&usvg::Node>) -> Result<[f64; 4], SvgError> {
+        let numbers = |rect: usvg::NonZeroRect| super::bounds::numbers(rect);
+        match view.area {
+            Area::Page => Ok([0.0, 0.0, f64::from(self.size()[0]), f64::from(self.size()[1])]),
+            Area::Rect(rect) => Ok(rect.map(f64::from)),
+            Area::Drawing => match node {
+                Some(node) => node.abs_layer_bounding_box().map(numbers).ok_or(SvgError::Empty),
+                None if self.tree.root().has_children() => Ok(numbers(self.tree.root().abs_layer_bounding_box())),
+                None => Err(SvgError::Empty),
+            },
+        }
+    }
+}
+
+impl std::fmt::Debug for Document {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Document({}x{})", self.size()[0], self.size()[1])
+    }
+}
+
+fn unpack(bytes: &[u8], max_bytes: usize) -> Result<Vec<u8>, SvgError> {
+    use std::io::Read;
+    let mut unpacked = Vec::new();
+    let limit = u64::try_from(max_bytes).unwrap_or(u64::MAX).saturating_add(1);
+    flate2::read::MultiGzDecoder::new(bytes)
+        .take(limit)
+        .read_to_end(&mut unpacked)
+        .map_err(|error| SvgError::Malformed(format!("its gzip compression is broken: {error}")))?;
+    Ok(unpacked)
+}
+
+fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
+    let limits = &options.limits;
+    let nodes_limit = u32::try_from(limits.max_elements.saturating_mul(4)).unwrap_or(u32::MAX);
+    let xml_options = roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, ..Default::default() };
+    let xml = roxmltree::Document::parse_with_options(text, xml_options).map_err(|error| match error {
+        roxmltree::Error::NodesLimitReached => too_many_elements(limits),
+        error => SvgError::Malformed(error.to_string()),
+    })?;
+    check_depth(&xml, limits)?;
+    let mut warnings = Warnings::default();
+    warn_of_elements(&xml, &mut warnings);
+
+    let mut usvg_options = usvg::Options {
+        resources_dir: options.folder.clone(),
+        dpi: options.dpi.clamp(10.0, 4000.0),
+        languages: options.languages.clone(),
+        font_family: options.fonts.default_family.clone().unwrap_or_else(|| "Times New Roman".to_owned()),
+        ..usvg::Options::default()
+    };
+    if options.folder.is_none() {
+        usvg_options.image_href_resolver.resolve_string = Box::new(|_, _| None);
+    }
+    if may_hold_text(&xml) {
+        let (fonts, unreadable) = options.fonts.load();
+        usvg_options.fontdb = Arc::new(fonts);
+        unreadable.into_iter().for_each(|message| warnings.add(message));
+    }
+    let tree = usvg::Tree::from_xmltree(&xml, &usvg_options).map_err(|error| match error {
+        usvg::Error::ElementsLimitReached => too_many_elements(limits),
+        error => SvgError::Malformed(error.to_string()),
+    })?;
+    Ok(Document { tree, limits: limits.clone(), warnings })
+}
+
+fn too_many_elements(limits: &Limits) -> SvgError {
+    SvgError::LimitExceeded(format!("the file has over {} elements, copies by 'use' included", limits.max_elements))
+}
+
+/// An error where elements are nested deeper than the limit.
+fn check_depth(xml: &roxmltree::Document<'_>, limits: &Limits) -> Result<(), SvgError> {
+    let mut depth = 0usize;
+    let mut open: Vec<roxmltree::NodeId> = Vec::new();
+    for node in xml.descendants().filter(roxmltree::Node::is_element) {
+        let parent = node.parent().map(|parent| parent.id());
+        while open.last().is_some_and(|last| Some(*last) != parent) {
+            open.pop();
+        }
+        open.push(node.id());
+        depth = depth.max(open.len());
+    }
+    if depth > limits.max_element_depth {
+        let most = limits.max_element_depth;
+        return Err(SvgError::LimitExceeded(format!("{depth} elements are inside each other; {most} are allowed")));
+    }
+    Ok(())
+}
+
+/// Fonts are loaded only for files that can hold text, themselves or in an embedded file.
+fn may_hold_text(xml: &roxmltree::Document<'_>) -> bool {
+    xml.descendants().any(|node| matches!(node.tag_name().name(), "text" | "image" | "feImage"))
+}
+
+/// Names the elements that are never drawn.
+fn warn_of_elements(xml: &roxmltree::Document<'_>, warnings: &mut Warnings) {
+    for node in xml.descendants().filter(roxmltree::Node::is_element) {
+        let name = node.tag_name().name();
+        match name {
+            "animate" | "animateColor" | "animateMotion" | "animateTransform" | "set" | "discard" => {
+                warnings.add(format!("'{name}' is not run: animations are drawn as if they did not exist"));
+            }
+            "script" => warnings.add("'script' is not run"),
+            "foreignObject" | "audio" | "video" | "canvas" | "iframe" | "mesh" | "meshgradient" | "hatch"
+            | "hatchpath" | "solidcolor" | "font" | "font-face" | "altGlyph" | "glyphRef" | "color-profile"
+            | "cursor" => warnings.add(format!("'{name}' is not drawn")),
+            _ => {}
+        }
+    }
+}
+
+/// Runs `work` where recursion as deep as the limits allow has room.
+#[cfg(not(target_family = "wasm"))]
+fn on_a_large_stack<T: Send>(work: impl FnOnce() -> Result<T, SvgError> + Send) -> Result<T, SvgError> {
+    /// Reserved, not used, by most files.
+    const STACK_BYTES: usize = 256 << 20;
+    std::thread::scope(|scope| {
+        let thread =
+            std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work).map_err(|error| {
+                SvgError::LimitExceeded(format!("a thread to read the file cannot be started: {error}"))
+            })?;
+        thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}
+
+#[cfg(target_family = "wasm")]
+fn on_a_large_stack<T: Send>(work: impl FnOnce() -> Result<T, SvgError> + Send) -> Result<T, SvgError> {
+    work()
+}

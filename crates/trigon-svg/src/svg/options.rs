@@ -1,0 +1,32 @@
+//! How an SVG file is read.
+
+use std::path::PathBuf;
+
+use super::{FontOptions, Limits};
+
+/// How an SVG file is read.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// The folder that relative links to images start from; without it, linked files are not read.
+    pub folder: Option<PathBuf>,
+    /// Pixels per inch, for lengths in `mm`, `in`, `pt` and so on.
+    pub dpi: f32,
+    /// Languages for `systemLanguage`, as `en` or `en-US`.
+    pub languages: Vec<String>,
+    /// Where fonts come from and which one stands for which generic family.
+    pub fonts: FontOptions,
+    /// What a file may cost.
+    pub limits: Limits,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            folder: None,
+            dpi: 96.0,
+            languages: vec!["en".to_owned()],
+            fonts: FontOptions::default(),
+            limits: Limits::default(),
+        }
+    }
+}
