@@ -21,7 +21,7 @@ pub enum TileOrder {
 
 /// Hands every item of `items` to one of the workers. Each worker runs on a thread of its own; the first one runs on
 /// the caller's.
-pub(crate) fn share<W: Send, T: Send, F>(workers: &mut [W], items: impl Iterator<Item = T> + Send, work: F)
+pub fn share<W: Send, T: Send, F>(workers: &mut [W], items: impl Iterator<Item = T> + Send, work: F)
 where
     F: Fn(&mut W, T) + Sync,
 {

@@ -83,6 +83,13 @@ impl SimdLevel {
         }
     }
 
+    /// Runs a kernel compiled for this level; plain code where the CPU lacks it.
+    ///
+    /// This is how other crates enter lane code: once per tile or chunk, not per block.
+    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        dispatch!(self.to_level().unwrap_or_else(Level::fallback), l => kernel.run(l))
+    }
+
     /// The proof that the CPU has this level; `None` if it has not.
     pub(crate) fn to_level(self) -> Option<Level> {
         match self {
@@ -100,6 +107,15 @@ impl SimdLevel {
             _ => None,
         }
     }
+}
+
+/// A piece of lane code with its operands, for [`SimdLevel::run`].
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+
+    /// The code; mark the implementation `#[inline(always)]`, so that it is compiled with the level's CPU features.
+    fn run<L: super::Lanes>(self, l: L) -> Self::Output;
 }
 
 impl fmt::Display for SimdLevel {

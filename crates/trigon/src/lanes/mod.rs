@@ -22,7 +22,7 @@ mod vector;
 pub use float::F32;
 pub use gather::Zero;
 pub use int::{I32, U32};
-pub use level::{SimdError, SimdLevel};
+pub use level::{Kernel, SimdError, SimdLevel};
 pub use mask::Mask;
 pub use token::{LANES, Lanes};
 pub use vector::{Mat4, Rgba, Vec2, Vec3, Vec4};
