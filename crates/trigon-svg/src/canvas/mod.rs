@@ -25,4 +25,4 @@ pub use renderer::{DrawError, Picture, Renderer};
 pub use stroke::{Cap, Join, Stroke};
 pub use transform::Transform;
 
-pub(crate) use drawing::Item;
+pub(crate) use drawing::{Item, Outline, Shape};

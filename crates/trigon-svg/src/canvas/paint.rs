@@ -97,6 +97,11 @@ pub struct Pattern {
     pub tile: [f32; 4],
     /// Path space from pattern space, which is that of the drawing.
     pub transform: Transform,
+    /// Columns and rows of pixels that the tile is drawn with; `None`: as many as it takes up on the screen, rounded.
+    ///
+    /// Filters inside the drawing count pixels of the drawing; they are right only where these are the tile's width and
+    /// height.
+    pub pixels: Option<[u32; 2]>,
     /// Multiplied into the drawing.
     pub opacity: f32,
 }

@@ -1,6 +1,6 @@
 //! From a drawing to pixels: the settings, the call, the result.
 
-use super::{Drawing, PixelRect};
+use super::Drawing;
 use crate::engine;
 use core::fmt;
 use trigon::lanes::SimdLevel;
@@ -64,8 +64,7 @@ impl Renderer {
             return Err(DrawError::TooLarge { width, height });
         }
         self.simd.require().map_err(|_| DrawError::SimdUnavailable(self.simd))?;
-        let region = PixelRect { x: 0, y: 0, width, height };
-        let pixels = engine::draw(self, drawing, region, background);
+        let pixels = engine::draw(self, drawing, [width, height], background);
         Ok(Picture { width, height, pixels })
     }
 }

@@ -1,0 +1,133 @@
+//! The blend modes, on premultiplied bytes: one sample over another.
+//!
+//! The formulas are those of "Compositing and Blending Level 1" (W3C), sections 5.1, 9 and 10, in single precision with
+//! only exact operations; each channel is rounded once, halves up. Normal is not here: it is exact in integers
+//! ([`over`](super::over)).
+
+use super::over::over;
+use crate::canvas::BlendMode;
+
+/// Red, green, blue in 0..=1.
+type Rgb = [f32; 3];
+
+/// `source` over `below` by a blend mode.
+pub(crate) fn blend(mode: BlendMode, source: u32, below: u32) -> u32 {
+    if mode == BlendMode::Normal || source >> 24 == 0 || below >> 24 == 0 {
+        return over(source, below);
+    }
+    let (s, source_alpha) = unpacked(source);
+    let (b, below_alpha) = unpacked(below);
+    let mixed = mix(mode, straight(b, below_alpha), straight(s, source_alpha));
+    // co = cs (1 - ab) + cb (1 - as) + as ab B(Cb, Cs), all premultiplied.
+    let both = source_alpha * below_alpha;
+    let channel = |i: usize| (s[i] * (1.0 - below_alpha) + b[i] * (1.0 - source_alpha)) + both * mixed[i];
+    let alpha = (source_alpha + below_alpha) - both;
+    pack(channel(0), channel(1), channel(2), alpha)
+}
+
+/// The function B of the specification: straight colours in, a straight colour out.
+fn mix(mode: BlendMode, below: Rgb, source: Rgb) -> Rgb {
+    match mode {
+        BlendMode::Hue => set_luminosity(set_saturation(source, saturation(below)), luminosity(below)),
+        BlendMode::Saturation => set_luminosity(set_saturation(below, saturation(source)), luminosity(below)),
+        BlendMode::Color => set_luminosity(source, luminosity(below)),
+        BlendMode::Luminosity => set_luminosity(below, luminosity(source)),
+        _ => core::array::from_fn(|i| mix_channel(mode, below[i], source[i])),
+    }
+}
+
+/// B for the modes that treat each channel alone.
+fn mix_channel(mode: BlendMode, below: f32, source: f32) -> f32 {
+    match mode {
+        BlendMode::Multiply => below * source,
+        BlendMode::Screen => screen(below, source),
+        BlendMode::Overlay => hard_light(source, below),
+        BlendMode::HardLight => hard_light(below, source),
+        BlendMode::Darken => smaller(below, source),
+        BlendMode::Lighten => larger(below, source),
+        BlendMode::ColorDodge if below <= 0.0 => 0.0,
+        BlendMode::ColorDodge if source >= 1.0 => 1.0,
+        BlendMode::ColorDodge => smaller(1.0, below / (1.0 - source)),
+        BlendMode::ColorBurn if below >= 1.0 => 1.0,
+        BlendMode::ColorBurn if source <= 0.0 => 0.0,
+        BlendMode::ColorBurn => 1.0 - smaller(1.0, (1.0 - below) / source),
+        BlendMode::SoftLight => soft_light(below, source),
+        BlendMode::Difference => (below - source).abs(),
+        BlendMode::Exclusion => (below + source) - 2.0 * (below * source),
+        _ => source,
+    }
+}
+
+fn screen(below: f32, source: f32) -> f32 {
+    (below + source) - below * source
+}
+
+fn hard_light(below: f32, source: f32) -> f32 {
+    if source <= 0.5 { below * (2.0 * source) } else { screen(below, 2.0 * source - 1.0) }
+}
+
+fn soft_light(below: f32, source: f32) -> f32 {
+    if source <= 0.5 {
+        return below - ((1.0 - 2.0 * source) * below) * (1.0 - below);
+    }
+    let lit = if below <= 0.25 { ((16.0 * below - 12.0) * below + 4.0) * below } else { below.sqrt() };
+    below + (2.0 * source - 1.0) * (lit - below)
+}
+
+fn luminosity([r, g, b]: Rgb) -> f32 {
+    (0.3 * r + 0.59 * g) + 0.11 * b
+}
+
+fn saturation([r, g, b]: Rgb) -> f32 {
+    larger(larger(r, g), b) - smaller(smaller(r, g), b)
+}
+
+/// `color` with another luminosity, moved towards grey as far as it left 0..=1 (`SetLum` and `ClipColor`).
+fn set_luminosity(color: Rgb, wanted: f32) -> Rgb {
+    let shift = wanted - luminosity(color);
+    let color = color.map(|channel| channel + shift);
+    let gray = luminosity(color);
+    let least = smaller(smaller(color[0], color[1]), color[2]);
+    let most = larger(larger(color[0], color[1]), color[2]);
+    let mut out = color;
+    if least < 0.0 {
+        out = out.map(|channel| gray + ((channel - gray) * gray) / (gray - least));
+    }
+    if most > 1.0 {
+        out = out.map(|channel| gray + ((channel - gray) * (1.0 - gray)) / (most - gray));
+    }
+    out
+}
+
+/// `color` stretched to another saturation, its least channel 0 (`SetSat`).
+fn set_saturation(color: Rgb, wanted: f32) -> Rgb {
+    let least = smaller(smaller(color[0], color[1]), color[2]);
+    let range = saturation(color);
+    if range > 0.0 { color.map(|channel| ((channel - least) * wanted) / range) } else { [0.0; 3] }
+}
+
+fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// Premultiplied colour and alpha in 0..=1.
+fn unpacked(pixel: u32) -> (Rgb, f32) {
+    let [r, g, b, a] = pixel.to_le_bytes().map(|byte| f32::from(byte) / 255.0);
+    ([r, g, b], a)
+}
+
+fn straight(color: Rgb, alpha: f32) -> Rgb {
+    color.map(|channel| smaller(1.0, channel / alpha))
+}
+
+/// To bytes, halves up; no colour above its alpha.
+fn pack(r: f32, g: f32, b: f32, a: f32) -> u32 {
+    let byte = |value: f32| (larger(0.0, smaller(1.0, value)) * 255.0 + 0.5) as u32;
+    let alpha = byte(a);
+    let channel = |value: f32| byte(value).min(alpha);
+    channel(r) | channel(g) << 8 | channel(b) << 16 | alpha << 24
+}

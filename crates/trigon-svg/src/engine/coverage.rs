@@ -1,0 +1,330 @@
+//! From edges to coverage: which samples have a winding number that is inside.
+//!
+//! Where an edge crosses a sample row, the winding number changes for all samples at or right of the crossing. The change
+//! is added, for the samples of the pixel that is crossed, to a word with one byte per sample of the row; a sweep from
+//! left to right sums the words. The last sample of a row has seen every change so far, so its byte is what the next
+//! pixel begins with. Only pixels that are crossed are visited.
+//!
+//! Bytes of a word are summed as one integer: a negative byte borrows from the next one, and a bias of 128 in each byte
+//! undoes that, as long as winding numbers lie in -128..=127. Where more than 127 edges meet one sample row, words with
+//! 32 bits per sample are used instead.
+
+use super::edge::Edge;
+use super::runs::{Run, RunRows};
+use super::samples::SampleRows;
+use crate::canvas::FillRule;
+
+/// Pixel rows of a band.
+pub(crate) const BAND_ROWS: u32 = 16;
+
+/// A rectangle of pixels: columns and rows, each `start..end`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Bounds {
+    pub(crate) columns: [u32; 2],
+    pub(crate) rows: [u32; 2],
+}
+
+impl Bounds {
+    /// True if it holds no pixel.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.columns[0] >= self.columns[1] || self.rows[0] >= self.rows[1]
+    }
+
+    /// The pixels of both.
+    pub(crate) fn intersect(&self, other: &Self) -> Self {
+        let common = |a: [u32; 2], b: [u32; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+        Self { columns: common(self.columns, other.columns), rows: common(self.rows, other.rows) }
+    }
+
+    /// The smallest rectangle around both.
+    pub(crate) fn unite(&self, other: &Self) -> Self {
+        if self.is_empty() {
+            return *other;
+        }
+        if other.is_empty() {
+            return *self;
+        }
+        let around = |a: [u32; 2], b: [u32; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        Self { columns: around(self.columns, other.columns), rows: around(self.rows, other.rows) }
+    }
+}
+
+/// Turns the edges of one shape in one band into runs. Reused from shape to shape.
+pub(crate) struct Scanner<'a> {
+    samples: &'a SampleRows,
+    narrow: Cells<u32>,
+    wide: Cells<u128>,
+}
+
+impl<'a> Scanner<'a> {
+    /// A scanner for pictures up to `width` pixels.
+    pub(crate) fn new(samples: &'a SampleRows, width: u32) -> Self {
+        Self { samples, narrow: Cells::new(width), wide: Cells::new(width) }
+    }
+
+    /// The width that it was made for.
+    pub(crate) fn width(&self) -> usize {
+        self.narrow.width
+    }
+
+    /// The coverage of the shape with these edges, inside `bounds`: at most [`BAND_ROWS`] rows.
+    pub(crate) fn scan(&mut self, edges: &[Edge], rule: FillRule, bounds: &Bounds, out: &mut RunRows) {
+        out.restart(bounds.rows[0]);
+        if bounds.is_empty() {
+            return;
+        }
+        if edges.len() <= 127 || self.most_edges_met(edges, bounds) <= 127 {
+            self.narrow.scan(self.samples, edges, rule, bounds, out);
+        } else {
+            self.wide.scan(self.samples, edges, rule, bounds, out);
+        }
+    }
+
+    /// The largest number of edges that any sample row of `bounds` meets.
+    fn most_edges_met(&self, edges: &[Edge], bounds: &Bounds) -> i32 {
+        let rows = self.samples.rows() as i32;
+        let (first, end) = (bounds.rows[0] as i32 * rows, bounds.rows[1] as i32 * rows);
+        let mut changes = [0; BAND_ROWS as usize * super::samples::MAX_SAMPLE_ROWS + 1];
+        for edge in edges {
+            let (from, to) = (edge.first.max(first), edge.end.min(end));
+            if from < to {
+                changes[(from - first) as usize] += 1;
+                changes[(to - first) as usize] -= 1;
+            }
+        }
+        let (mut met, mut most) = (0, 0);
+        for change in changes {
+            met += change;
+            most = most.max(met);
+        }
+        most
+    }
+}
+
+/// The changes of the winding numbers of four samples side by side, summed as one integer.
+trait Word: Copy + Default {
+    /// The sum, with carries from sample to sample.
+    fn add(self, other: Self) -> Self;
+    /// `direction` (1 or -1) for each sample whose byte of `columns` is 1.
+    fn change(columns: u32, direction: i32) -> Self;
+    /// The bias alone: all winding numbers zero.
+    const ZERO: Self;
+    /// The last sample's number for all four.
+    fn spread_last(self) -> Self;
+    /// One bit per sample whose number is inside.
+    fn inside(self, rule: FillRule) -> u32;
+}
+
+impl Word for u32 {
+    const ZERO: Self = 0x8080_8080;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.wrapping_add(other)
+    }
+
+    #[inline(always)]
+    fn change(columns: u32, direction: i32) -> Self {
+        columns.wrapping_mul(direction as u32)
+    }
+
+    #[inline(always)]
+    fn spread_last(self) -> Self {
+        (self >> 24) * 0x0101_0101
+    }
+
+    #[inline(always)]
+    fn inside(self, rule: FillRule) -> u32 {
+        let winding = self ^ Self::ZERO;
+        let inside = match rule {
+            FillRule::NonZero => (((winding & 0x7F7F_7F7F) + 0x7F7F_7F7F) | winding) >> 7,
+            FillRule::EvenOdd => winding,
+        };
+        // The lowest bits of the four bytes, side by side.
+        (inside & 0x0101_0101).wrapping_mul(0x1020_4080) >> 28
+    }
+}
+
+impl Word for u128 {
+    const ZERO: Self = 0x8000_0000_8000_0000_8000_0000_8000_0000;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.wrapping_add(other)
+    }
+
+    #[inline(always)]
+    fn change(columns: u32, direction: i32) -> Self {
+        let mut change = 0;
+        for sample in 0..4 {
+            change |= u128::from(columns >> (8 * sample) & 1) << (32 * sample);
+        }
+        if direction < 0 { change.wrapping_neg() } else { change }
+    }
+
+    #[inline(always)]
+    fn spread_last(self) -> Self {
+        (self >> 96) * 0x1_0000_0001_0000_0001_0000_0001
+    }
+
+    #[inline(always)]
+    fn inside(self, rule: FillRule) -> u32 {
+        let mut mask = 0;
+        for sample in 0..4 {
+            let winding = (self >> (32 * sample)) as u32 ^ 0x8000_0000;
+            let inside = if rule == FillRule::NonZero { winding != 0 } else { winding & 1 == 1 };
+            mask |= u32::from(inside) << sample;
+        }
+        mask
+    }
+}
+
+/// The words of a band; all zero between scans.
+struct Cells<W> {
+    width: usize,
+    /// `[row][column][sample row]`.
+    words: Vec<W>,
+    /// One bit per column that is crossed: `[row][column / 64]`.
+    crossed: Vec<u64>,
+}
+
+impl<W: Word> Cells<W> {
+    fn new(width: u32) -> Self {
+        Self { width: width as usize, words: Vec::new(), crossed: Vec::new() }
+    }
+
+    fn scan(&mut self, samples: &SampleRows, edges: &[Edge], rule: FillRule, bounds: &Bounds, out: &mut RunRows) {
+        match samples.rows() {
+            1 => self.scan_rows::<1>(samples, edges, rule, bounds, out),
+            2 => self.scan_rows::<2>(samples, edges, rule, bounds, out),
+            3 => self.scan_rows::<3>(samples, edges, rule, bounds, out),
+            4 => self.scan_rows::<4>(samples, edges, rule, bounds, out),
+            8 => self.scan_rows::<8>(samples, edges, rule, bounds, out),
+            _ => self.scan_rows::<16>(samples, edges, rule, bounds, out),
+        }
+    }
+
+    /// Columns that bits are held for in a row.
+    fn crossed_words(&self) -> usize {
+        self.width / 64 + 1
+    }
+
+    fn scan_rows<const R: usize>(
+        &mut self,
+        samples: &SampleRows,
+        edges: &[Edge],
+        rule: FillRule,
+        bounds: &Bounds,
+        out: &mut RunRows,
+    ) {
+        let stride = self.width + 1;
+        self.words.resize(BAND_ROWS as usize * stride * R, W::default());
+        self.crossed.resize(BAND_ROWS as usize * self.crossed_words(), 0);
+        self.scatter::<R>(samples, edges, bounds);
+        for row in 0..bounds.rows[1] - bounds.rows[0] {
+            self.sweep::<R>(samples, rule, row as usize, bounds, out);
+            out.end_row();
+        }
+    }
+
+    /// Adds each crossing's change to its pixel. What is crossed left of the picture counts for column 0; right of it,
+    /// for a column that is never looked at.
+    fn scatter<const R: usize>(&mut self, samples: &SampleRows, edges: &[Edge], bounds: &Bounds) {
+        let (offsets, shifts) = (samples.offsets_y::<R>(), samples.shifts_x::<R>());
+        let columns_from = samples.columns_from();
+        let (stride, crossed_words) = (self.width + 1, self.crossed_words());
+        let (cells, _) = self.words.as_chunks_mut::<R>();
+        let limit = (self.width as i32) << 8;
+        let top = bounds.rows[0] as i32;
+        let (first, end) = (top * R as i32, bounds.rows[1] as i32 * R as i32);
+        for edge in edges {
+            for sample_row in edge.first.max(first)..edge.end.min(end) {
+                let (row, r) = (sample_row / R as i32, sample_row as usize % R);
+                let x = (edge.crossing((row << 8) + offsets[r]) + shifts[r]).clamp(0, limit);
+                let (column, row) = ((x >> 8) as usize, (row - top) as usize);
+                let change = W::change(columns_from[(x & 255) as usize], edge.direction);
+                let word = &mut cells[row * stride + column][r];
+                *word = word.add(change);
+                self.crossed[row * crossed_words + column / 64] |= 1 << (column % 64);
+            }
+        }
+    }
+
+    /// Sums the changes of one pixel row from left to right, and leaves zeros behind.
+    #[inline(always)]
+    fn sweep<const R: usize>(
+        &mut self,
+        samples: &SampleRows,
+        rule: FillRule,
+        row: usize,
+        bounds: &Bounds,
+        out: &mut RunRows,
+    ) {
+        let crossed_words = self.crossed_words();
+        let crossed = &mut self.crossed[row * crossed_words..(row + 1) * crossed_words];
+        let (cells, _) = self.words.as_chunks_mut::<R>();
+        let cells = &mut cells[row * (self.width + 1)..(row + 1) * (self.width + 1)];
+        let (left, right) = (bounds.columns[0] as usize, bounds.columns[1] as usize);
+        let mut pen = Pen { x: 0, mask: 0 };
+        let mut winding = [W::ZERO; R];
+        for index in left / 64..=(right / 64).min(crossed_words - 1) {
+            let mut bits = core::mem::take(&mut crossed[index]);
+            while bits != 0 {
+                let x = index * 64 + bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                let changes = core::mem::replace(&mut cells[x], [W::default(); R]);
+                if x >= self.width {
+                    continue;
+                }
+                pen.fill_up_to(x, out);
+                for r in 0..R {
+                    winding[r] = winding[r].add(changes[r]);
+                }
+                pen.one_pixel(inside(samples, rule, &winding), out);
+                for word in &mut winding {
+                    *word = word.spread_last();
+                }
+                pen.mask = inside(samples, rule, &winding);
+            }
+        }
+        pen.fill_up_to(right, out);
+    }
+}
+
+/// One bit per sample that is inside, of all rows of a pixel.
+#[inline(always)]
+fn inside<const R: usize, W: Word>(samples: &SampleRows, rule: FillRule, winding: &[W; R]) -> u16 {
+    let columns = samples.columns() as u32;
+    let of_row = (1 << columns) - 1;
+    let mut mask = 0;
+    for r in 0..R {
+        mask |= (winding[r].inside(rule) & of_row) << (r as u32 * columns);
+    }
+    mask as u16
+}
+
+/// The column up to which a row is done, and what holds from there on.
+struct Pen {
+    x: usize,
+    mask: u16,
+}
+
+impl Pen {
+    /// Writes what holds, up to column `x`.
+    #[inline(always)]
+    fn fill_up_to(&mut self, x: usize, out: &mut RunRows) {
+        if self.mask != 0 && x > self.x {
+            out.push(Run { x: self.x as u16, len: (x - self.x) as u16, mask: self.mask });
+        }
+        self.x = x;
+    }
+
+    /// Writes the pixel at the pen.
+    #[inline(always)]
+    fn one_pixel(&mut self, mask: u16, out: &mut RunRows) {
+        if mask != 0 {
+            out.push(Run { x: self.x as u16, len: 1, mask });
+        }
+        self.x += 1;
+    }
+}
