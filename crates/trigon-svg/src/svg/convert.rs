@@ -11,7 +11,8 @@ use super::paint::{color, fill_rule, linear, radial, stroke};
 use super::path::{path, rect_path, transform};
 use super::warnings::Warnings;
 use crate::canvas::{
-    BlendMode, ClipPath, Drawing, FillRule, Layer, Mask, MaskKind, Paint, Path, Pattern, PixelRect, Renderer, Transform,
+    BlendMode, ClipPath, Drawing, FillRule, ImageFilter, Layer, Mask, MaskKind, Paint, Path, Pattern, PixelRect,
+    Renderer, Transform,
 };
 use crate::filter::{DrawPicture, Raster};
 
@@ -172,17 +173,21 @@ impl<'a> Converter<'a> {
         })
     }
 
-    /// The pattern, drawn at the size it has in the picture so that filters inside it work on such pixels.
+    /// The pattern, drawn at the size it has in the picture so that filters inside it work on such pixels. Its tile is
+    /// rounded to whole pixels, as the reference pictures have it: all repetitions look the same.
     fn pattern(&mut self, source: &usvg::Pattern, pixels_from_path: Transform) -> Option<Pattern> {
         if self.depth >= self.limits.max_depth {
             self.warnings.add("patterns inside too many others are not drawn");
             return None;
         }
         let path_from_pattern = transform(source.transform());
-        let [scale_x, scale_y] = (pixels_from_path * path_from_pattern).axis_scales();
         let rect = source.rect();
-        let size = [f64::from(rect.width()) * scale_x, f64::from(rect.height()) * scale_y];
-        let [width, height] = size.map(|side| super::bounds::to_u32(side.ceil()));
+        let [scale_x, scale_y] = self.tile_scale(rect, pixels_from_path * path_from_pattern);
+        let side = |length: f32, scale: f64| {
+            let side = (f64::from(length) * scale + 0.5).clamp(1.0, f64::from(trigon::target::MAX_SIZE));
+            super::bounds::to_u32(side)
+        };
+        let (width, height) = (side(rect.width(), scale_x), side(rect.height(), scale_y));
         let mut drawing = Drawing::new();
         self.depth += 1;
         self.inside(PixelRect { x: 0, y: 0, width, height }, |converter| {
@@ -191,14 +196,29 @@ impl<'a> Converter<'a> {
         });
         self.depth -= 1;
         let to_corner = Transform::translate(f64::from(rect.x()), f64::from(rect.y()));
-        let path_from_drawing = path_from_pattern * to_corner * Transform::scale(1.0 / scale_x, 1.0 / scale_y);
-        let [width, height] = size.map(to_f32);
-        path_from_drawing.is_finite().then_some(Pattern {
-            drawing,
-            tile: [0.0, 0.0, width, height],
-            transform: path_from_drawing,
-            opacity: 1.0,
-        })
+        let path_from_tile = path_from_pattern * to_corner * Transform::scale(1.0 / scale_x, 1.0 / scale_y);
+        let path_from_tile = on_whole_pixels(path_from_tile, pixels_from_path);
+        #[expect(clippy::cast_precision_loss, reason = "tiles have fewer than 2^24 pixels a side")]
+        let tile = [0.0, 0.0, width as f32, height as f32];
+        let pattern = Pattern { drawing, tile, transform: path_from_tile, pixels: Some([width, height]), opacity: 1.0 };
+        path_from_tile.is_finite().then_some(pattern)
+    }
+
+    /// Pixels of the tile for a unit of its space along x and y: as in the picture, or less where that is over the limit.
+    fn tile_scale(&mut self, rect: usvg::NonZeroRect, pixels_from_tile: Transform) -> [f64; 2] {
+        // The scales of the picture's axes, not of the tile's, as the reference pictures have it; for skewed patterns alone
+        // that makes a difference.
+        let Transform { a, b, c, d, .. } = pixels_from_tile;
+        let [scale_x, scale_y] = Transform::new(a, c, b, d, 0.0, 0.0).axis_scales();
+        let area = f64::from(rect.width()) * scale_x * (f64::from(rect.height()) * scale_y);
+        #[expect(clippy::cast_precision_loss, reason = "a limit need not be exact")]
+        let most = self.limits.max_tile_pixels as f64;
+        if area <= most {
+            return [scale_x, scale_y];
+        }
+        self.warnings.add("a pattern's tile over the limit of pixels is drawn coarser");
+        let reduction = (most / area).sqrt();
+        [scale_x * reduction, scale_y * reduction]
     }
 
     fn image(&mut self, out: &mut Drawing, image: &usvg::Image, pixels_from_image: Transform) {
@@ -209,9 +229,12 @@ impl<'a> Converter<'a> {
             let root = tree.root();
             return self.group(out, root, pixels_from_image * transform(root.transform()));
         }
-        if let Some(pixels) = self.images.get(image.kind(), self.limits, &mut self.warnings) {
-            let filter = image_filter(image.rendering_mode());
-            out.image(&pixels, filter, pixels_from_image, 1.0, BlendMode::Normal);
+        let filter = image_filter(image.rendering_mode());
+        let scales = if filter == ImageFilter::SMOOTH { pixels_from_image.axis_scales() } else { [1.0, 1.0] };
+        if let Some((pixels, [x, y])) = self.images.get(image.kind(), scales, self.limits, &mut self.warnings) {
+            let place = pixels_from_image * Transform::scale(1.0 / f64::from(x), 1.0 / f64::from(y));
+            let place = on_whole_pixels(place, Transform::IDENTITY);
+            out.image(&pixels, filter, place, 1.0, BlendMode::Normal);
         }
     }
 
@@ -241,7 +264,33 @@ impl<'a> Converter<'a> {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
-fn to_f32(x: f64) -> f32 {
-    x as f32
+/// `outer_from_inner`, moved by less than a pixel where pixels of the inner space are as large as those of the picture,
+/// so that none is mixed from several.
+fn on_whole_pixels(outer_from_inner: Transform, pixels_from_outer: Transform) -> Transform {
+    let map = pixels_from_outer * outer_from_inner;
+    let near = |value: f64, whole: f64| (value - whole).abs() < 1e-9;
+    let is_translation = near(map.a, 1.0) && near(map.b, 0.0) && near(map.c, 0.0) && near(map.d, 1.0);
+    match pixels_from_outer.inverse().filter(|_| is_translation) {
+        // Halves go down; arithmetic in f32 upstream may leave them a little above.
+        Some(outer_from_pixels) => {
+            let whole = |offset: f64| (offset - 0.5 - 1e-3).ceil();
+            outer_from_pixels * Transform::translate(whole(map.e), whole(map.f))
+        }
+        None => outer_from_inner,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn translations_become_whole_and_nothing_else_changes() {
+        let pixels_from_outer = Transform::scale(1.5, 1.5);
+        let outer_from_inner = Transform::new(2.0 / 3.0, 0.0, 0.0, 2.0 / 3.0, 5.0, 10.2);
+        let snapped = pixels_from_outer * on_whole_pixels(outer_from_inner, pixels_from_outer);
+        assert!((snapped.e - 7.0).abs() < 1e-9 && (snapped.f - 15.0).abs() < 1e-9);
+        let turned = Transform::rotate(0.1);
+        assert_eq!(on_whole_pixels(turned, Transform::IDENTITY), turned);
+    }
 }

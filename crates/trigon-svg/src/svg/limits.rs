@@ -13,6 +13,8 @@ pub struct Limits {
     pub max_depth: usize,
     /// Pixels of a filter's region. A larger region is cut to what lies near the picture, with a warning.
     pub max_filter_pixels: u64,
+    /// Pixels of a pattern's tile. A larger one is drawn with fewer pixels, with a warning.
+    pub max_tile_pixels: u64,
     /// Steps of work, in pixels times weights, of one `feConvolveMatrix`; above, its input is its result, with a warning.
     pub max_convolution_steps: u64,
     /// Pixels of all embedded and linked images together; further ones are left out, with a warning.
@@ -25,8 +27,9 @@ impl Default for Limits {
             max_bytes: 1 << 28,
             max_element_depth: 1024,
             max_elements: 1_000_000,
-            max_depth: 512,
+            max_depth: 1024,
             max_filter_pixels: 1 << 26,
+            max_tile_pixels: 1 << 25,
             max_convolution_steps: 1 << 34,
             max_image_pixels: 1 << 28,
         }

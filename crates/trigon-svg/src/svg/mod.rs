@@ -16,6 +16,7 @@ mod options;
 mod paint;
 mod path;
 mod primitives;
+mod recognize;
 mod view;
 mod warnings;
 
@@ -24,5 +25,6 @@ pub use error::SvgError;
 pub use fonts::FontOptions;
 pub use limits::Limits;
 pub use options::Options;
+pub use recognize::is_svg;
 pub use view::{Area, Size, View};
 pub use warnings::Warning;

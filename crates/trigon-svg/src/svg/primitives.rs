@@ -84,11 +84,10 @@ impl Planner<'_> {
         (to_f32(f64::from(x) * scale_x), to_f32(f64::from(y) * scale_y))
     }
 
-    /// A whole number of pixels along x and y.
+    /// A whole number of pixels along x and y, rounded toward zero as the reference pictures have it.
     fn offset(&self, x: f32, y: f32) -> (i32, i32) {
         let (x, y) = self.scaled(x, y);
-        let nearest = |length: f32| to_i32((f64::from(length) + 0.5).floor());
-        (nearest(x), nearest(y))
+        (to_i32(f64::from(x)), to_i32(f64::from(y)))
     }
 
     fn primitive(&self, converter: &mut Converter<'_>, primitive: &source::Primitive, region: Region) -> Primitive {
