@@ -1,6 +1,5 @@
 //! Reading OBJ: a generated file with positions, normals and texture coordinates, from memory.
 
-#![expect(missing_docs, reason = "criterion's macros make undocumented functions")]
 
 use core::fmt::Write;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
