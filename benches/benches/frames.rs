@@ -1,6 +1,5 @@
 //! Whole frames of the generated scenes, all threads, at 1 and 4 samples.
 
-
 use criterion::{Criterion, criterion_group, criterion_main};
 use trigon::pipeline::{Picture, Renderer, RendererOptions};
 use trigon_bench::scene::{ModelFiles, SceneKind};

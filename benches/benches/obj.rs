@@ -1,6 +1,5 @@
 //! Reading OBJ: a generated file with positions, normals and texture coordinates, from memory.
 
-
 use core::fmt::Write;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use trigon_bench::scene::{ModelFiles, SceneKind};

@@ -3,7 +3,6 @@
 //! Stages are measured inside whole frames, by the times that the frame's statistics report, on pictures that leave the
 //! other stages little to do. Throughput is in triangles or pixels.
 
-
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::time::Duration;
 use trigon::lanes::SimdLevel;

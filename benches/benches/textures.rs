@@ -1,6 +1,5 @@
 //! Texture sampling: one square that fills the picture, at about 1.4 texels a pixel, through each filter.
 
-
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::time::Duration;
 use trigon::geometry::{Indices, Primitives};

@@ -7,7 +7,7 @@
 //! [`canvas`] is the drawing interface for Rust programs.
 
 pub mod canvas;
-mod engine;
 pub mod cs184;
+mod engine;
 pub mod filter;
 pub mod svg;
