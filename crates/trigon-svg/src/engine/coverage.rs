@@ -52,6 +52,7 @@ impl Bounds {
 /// Turns the edges of one shape in one band into runs. Reused from shape to shape.
 pub(crate) struct Scanner<'a> {
     samples: &'a SampleRows,
+    width: u32,
     narrow: Cells<u32>,
     wide: Cells<u128>,
 }
@@ -59,12 +60,12 @@ pub(crate) struct Scanner<'a> {
 impl<'a> Scanner<'a> {
     /// A scanner for pictures up to `width` pixels.
     pub(crate) fn new(samples: &'a SampleRows, width: u32) -> Self {
-        Self { samples, narrow: Cells::new(width), wide: Cells::new(width) }
+        Self { samples, width, narrow: Cells::default(), wide: Cells::default() }
     }
 
     /// The width that it was made for.
     pub(crate) fn width(&self) -> usize {
-        self.narrow.width
+        self.width as usize
     }
 
     /// The coverage of the shape with these edges, inside `bounds`: at most [`BAND_ROWS`] rows.
@@ -111,8 +112,8 @@ trait Word: Copy + Default {
     const ZERO: Self;
     /// The last sample's number for all four.
     fn spread_last(self) -> Self;
-    /// One bit per sample whose number is inside.
-    fn inside(self, rule: FillRule) -> u32;
+    /// Four bits per word, one per sample whose number is inside; the first word's are the lowest.
+    fn inside<const R: usize>(words: &[Self; R], rule: FillRule) -> u64;
 }
 
 impl Word for u32 {
@@ -133,15 +134,23 @@ impl Word for u32 {
         (self >> 24) * 0x0101_0101
     }
 
+    /// Two words at a time.
     #[inline(always)]
-    fn inside(self, rule: FillRule) -> u32 {
-        let winding = self ^ Self::ZERO;
-        let inside = match rule {
-            FillRule::NonZero => (((winding & 0x7F7F_7F7F) + 0x7F7F_7F7F) | winding) >> 7,
-            FillRule::EvenOdd => winding,
-        };
-        // The lowest bits of the four bytes, side by side.
-        (inside & 0x0101_0101).wrapping_mul(0x1020_4080) >> 28
+    fn inside<const R: usize>(words: &[Self; R], rule: FillRule) -> u64 {
+        const LOW: u64 = 0x0101_0101_0101_0101;
+        const SEVEN: u64 = 0x7F7F_7F7F_7F7F_7F7F;
+        let mut mask = 0;
+        for pair in 0..R.div_ceil(2) {
+            let second = if 2 * pair + 1 < R { words[2 * pair + 1] } else { Self::ZERO };
+            let winding = (u64::from(words[2 * pair]) | u64::from(second) << 32) ^ (LOW << 7);
+            let inside = match rule {
+                FillRule::NonZero => (((winding & SEVEN) + SEVEN) | winding) >> 7,
+                FillRule::EvenOdd => winding,
+            };
+            // The lowest bits of the eight bytes, side by side.
+            mask |= ((inside & LOW).wrapping_mul(0x0102_0408_1020_4080) >> 56) << (8 * pair);
+        }
+        mask
     }
 }
 
@@ -168,31 +177,29 @@ impl Word for u128 {
     }
 
     #[inline(always)]
-    fn inside(self, rule: FillRule) -> u32 {
+    fn inside<const R: usize>(words: &[Self; R], rule: FillRule) -> u64 {
         let mut mask = 0;
-        for sample in 0..4 {
-            let winding = (self >> (32 * sample)) as u32 ^ 0x8000_0000;
-            let inside = if rule == FillRule::NonZero { winding != 0 } else { winding & 1 == 1 };
-            mask |= u32::from(inside) << sample;
+        for (row, word) in words.iter().enumerate() {
+            for sample in 0..4 {
+                let winding = (word >> (32 * sample)) as u32 ^ 0x8000_0000;
+                let inside = if rule == FillRule::NonZero { winding != 0 } else { winding & 1 == 1 };
+                mask |= u64::from(inside) << (4 * row + sample);
+            }
         }
         mask
     }
 }
 
-/// The words of a band; all zero between scans.
+/// The words of the shape at hand; all zero between scans. Small shapes use the same few of them again and again.
+#[derive(Default)]
 struct Cells<W> {
-    width: usize,
-    /// `[row][column][sample row]`.
+    /// `[row][column][sample row]`, columns from the shape's first on.
     words: Vec<W>,
     /// One bit per column that is crossed: `[row][column / 64]`.
     crossed: Vec<u64>,
 }
 
 impl<W: Word> Cells<W> {
-    fn new(width: u32) -> Self {
-        Self { width: width as usize, words: Vec::new(), crossed: Vec::new() }
-    }
-
     fn scan(&mut self, samples: &SampleRows, edges: &[Edge], rule: FillRule, bounds: &Bounds, out: &mut RunRows) {
         match samples.rows() {
             1 => self.scan_rows::<1>(samples, edges, rule, bounds, out),
@@ -204,11 +211,6 @@ impl<W: Word> Cells<W> {
         }
     }
 
-    /// Columns that bits are held for in a row.
-    fn crossed_words(&self) -> usize {
-        self.width / 64 + 1
-    }
-
     fn scan_rows<const R: usize>(
         &mut self,
         samples: &SampleRows,
@@ -217,33 +219,63 @@ impl<W: Word> Cells<W> {
         bounds: &Bounds,
         out: &mut RunRows,
     ) {
-        let stride = self.width + 1;
-        self.words.resize(BAND_ROWS as usize * stride * R, W::default());
-        self.crossed.resize(BAND_ROWS as usize * self.crossed_words(), 0);
-        self.scatter::<R>(samples, edges, bounds);
-        for row in 0..bounds.rows[1] - bounds.rows[0] {
-            self.sweep::<R>(samples, rule, row as usize, bounds, out);
+        // One more column than the bounds have, for what is crossed right of them.
+        let columns = (bounds.columns[1] - bounds.columns[0]) as usize + 1;
+        let rows = (bounds.rows[1] - bounds.rows[0]) as usize;
+        let (words, crossed) = (rows * columns * R, rows * columns.div_ceil(64));
+        if self.words.len() < words {
+            self.words.resize(words, W::default());
+        }
+        if self.crossed.len() < crossed {
+            self.crossed.resize(crossed, 0);
+        }
+        let (cells, _) = self.words.as_chunks_mut::<R>();
+        let mut band = BandCells {
+            samples,
+            cells: &mut cells[..rows * columns],
+            crossed: &mut self.crossed[..crossed],
+            columns,
+            bounds,
+        };
+        band.scatter(edges);
+        for row in 0..rows {
+            band.sweep(rule, row, out);
             out.end_row();
         }
     }
+}
 
-    /// Adds each crossing's change to its pixel. What is crossed left of the picture counts for column 0; right of it,
-    /// for a column that is never looked at.
-    fn scatter<const R: usize>(&mut self, samples: &SampleRows, edges: &[Edge], bounds: &Bounds) {
-        let (offsets, shifts) = (samples.offsets_y::<R>(), samples.shifts_x::<R>());
-        let columns_from = samples.columns_from();
-        let (stride, crossed_words) = (self.width + 1, self.crossed_words());
-        let (cells, _) = self.words.as_chunks_mut::<R>();
-        let limit = (self.width as i32) << 8;
-        let top = bounds.rows[0] as i32;
-        let (first, end) = (top * R as i32, bounds.rows[1] as i32 * R as i32);
+/// The words of a shape, by pixel.
+struct BandCells<'a, W, const R: usize> {
+    samples: &'a SampleRows,
+    cells: &'a mut [[W; R]],
+    crossed: &'a mut [u64],
+    /// In each row of `cells`.
+    columns: usize,
+    bounds: &'a Bounds,
+}
+
+impl<W: Word, const R: usize> BandCells<'_, W, R> {
+    /// Adds each crossing's change to its pixel. What is crossed left of the bounds counts for their first column; right
+    /// of them, for a column that is never drawn.
+    fn scatter(&mut self, edges: &[Edge]) {
+        let (offsets, mut shifts) = (self.samples.offsets_y::<R>(), self.samples.shifts_x::<R>());
+        let left = (self.bounds.columns[0] as i32) << 8;
+        for shift in &mut shifts {
+            *shift -= left;
+        }
+        let columns_from = self.samples.columns_from();
+        let crossed_words = self.columns.div_ceil(64);
+        let limit = ((self.columns - 1) as i32) << 8;
+        let top = self.bounds.rows[0] as i32;
+        let (first, end) = (top * R as i32, self.bounds.rows[1] as i32 * R as i32);
         for edge in edges {
             for sample_row in edge.first.max(first)..edge.end.min(end) {
-                let (row, r) = (sample_row / R as i32, sample_row as usize % R);
-                let x = (edge.crossing((row << 8) + offsets[r]) + shifts[r]).clamp(0, limit);
+                let (row, r) = ((sample_row as u32 / R as u32) as i32, (sample_row as u32 % R as u32) as usize);
+                let x = (edge.crossing((row << 8) + offsets[r]) + shifts[r]).max(0).min(limit);
                 let (column, row) = ((x >> 8) as usize, (row - top) as usize);
                 let change = W::change(columns_from[(x & 255) as usize], edge.direction);
-                let word = &mut cells[row * stride + column][r];
+                let word = &mut self.cells[row * self.columns + column][r];
                 *word = word.add(change);
                 self.crossed[row * crossed_words + column / 64] |= 1 << (column % 64);
             }
@@ -252,55 +284,80 @@ impl<W: Word> Cells<W> {
 
     /// Sums the changes of one pixel row from left to right, and leaves zeros behind.
     #[inline(always)]
-    fn sweep<const R: usize>(
-        &mut self,
-        samples: &SampleRows,
-        rule: FillRule,
-        row: usize,
-        bounds: &Bounds,
-        out: &mut RunRows,
-    ) {
-        let crossed_words = self.crossed_words();
+    fn sweep(&mut self, rule: FillRule, row: usize, out: &mut RunRows) {
+        let crossed_words = self.columns.div_ceil(64);
         let crossed = &mut self.crossed[row * crossed_words..(row + 1) * crossed_words];
-        let (cells, _) = self.words.as_chunks_mut::<R>();
-        let cells = &mut cells[row * (self.width + 1)..(row + 1) * (self.width + 1)];
-        let (left, right) = (bounds.columns[0] as usize, bounds.columns[1] as usize);
-        let mut pen = Pen { x: 0, mask: 0 };
+        let cells = &mut self.cells[row * self.columns..(row + 1) * self.columns];
+        let masks = MaskShape::new(self.samples);
+        let left = self.bounds.columns[0] as usize;
+        let last = self.columns - 1;
+        let mut pen = Pen { x: left, mask: 0 };
         let mut winding = [W::ZERO; R];
-        for index in left / 64..=(right / 64).min(crossed_words - 1) {
-            let mut bits = core::mem::take(&mut crossed[index]);
+        for (index, bits) in crossed.iter_mut().enumerate() {
+            let mut bits = core::mem::take(bits);
             while bits != 0 {
-                let x = index * 64 + bits.trailing_zeros() as usize;
+                let column = index * 64 + bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let changes = core::mem::replace(&mut cells[x], [W::default(); R]);
-                if x >= self.width {
-                    continue;
+                let Some(cell) = cells.get_mut(column) else { break };
+                let changes = core::mem::replace(cell, [W::default(); R]);
+                if column == last {
+                    break;
                 }
-                pen.fill_up_to(x, out);
+                pen.fill_up_to(left + column, out);
                 for r in 0..R {
                     winding[r] = winding[r].add(changes[r]);
                 }
-                pen.one_pixel(inside(samples, rule, &winding), out);
+                let mask = masks.of_samples(W::inside(&winding, rule));
+                pen.one_pixel(mask, out);
+                pen.mask = masks.spread_last(mask);
                 for word in &mut winding {
                     *word = word.spread_last();
                 }
-                pen.mask = inside(samples, rule, &winding);
             }
         }
-        pen.fill_up_to(right, out);
+        pen.fill_up_to(left + last, out);
     }
 }
 
-/// One bit per sample that is inside, of all rows of a pixel.
-#[inline(always)]
-fn inside<const R: usize, W: Word>(samples: &SampleRows, rule: FillRule, winding: &[W; R]) -> u16 {
-    let columns = samples.columns() as u32;
-    let of_row = (1 << columns) - 1;
-    let mut mask = 0;
-    for r in 0..R {
-        mask |= (winding[r].inside(rule) & of_row) << (r as u32 * columns);
+/// How the samples of a pixel lie in its mask.
+#[derive(Clone, Copy)]
+struct MaskShape {
+    rows: u32,
+    columns: u32,
+    /// The first sample of each row.
+    firsts: u32,
+}
+
+impl MaskShape {
+    #[inline(always)]
+    fn new(samples: &SampleRows) -> Self {
+        let (rows, columns) = (samples.rows() as u32, samples.columns() as u32);
+        let mut firsts = 0;
+        for row in 0..rows {
+            firsts |= 1 << (row * columns);
+        }
+        Self { rows, columns, firsts }
     }
-    mask as u16
+
+    /// From four bits per row to one bit per sample.
+    #[inline(always)]
+    fn of_samples(self, four_per_row: u64) -> u16 {
+        if self.columns == 4 {
+            return four_per_row as u16;
+        }
+        let mut mask = 0;
+        for row in 0..self.rows {
+            mask |= (four_per_row >> (4 * row) & ((1 << self.columns) - 1)) << (row * self.columns);
+        }
+        mask as u16
+    }
+
+    /// The last sample's bit of each row, for all of the row.
+    #[inline(always)]
+    fn spread_last(self, mask: u16) -> u16 {
+        let last = u32::from(mask) >> (self.columns - 1) & self.firsts;
+        (last * ((1 << self.columns) - 1)) as u16
+    }
 }
 
 /// The column up to which a row is done, and what holds from there on.

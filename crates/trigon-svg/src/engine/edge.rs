@@ -12,8 +12,8 @@ const LIMIT: f64 = 32_000.0;
 /// `value + ROUND` has `value`, rounded to an integer (halves to even), in its lowest 32 bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// Added before truncation by [`Edge::crossing`].
-const CEIL_BIAS: f64 = 33_554_432.0 - 1.0 / 67_108_864.0;
+/// Added before rounding by [`Edge::crossing`]: half less a little.
+const CEIL_BIAS: f64 = 0.5 - 1.0 / 67_108_864.0;
 
 /// One segment, upper end first.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -34,12 +34,12 @@ impl Edge {
     /// The smallest integer x, in 1/256 px, at or right of the edge in the row of samples at `y`; exact.
     ///
     /// With integer ends no more than 2^24 apart, `t = (y - y0) * slope` is off by less than 2^-27, and the true value is
-    /// an integer or at least 2^-24 away from one. So `t - 2^-26` lies strictly between the integers around the answer;
-    /// 2^25 is added to make it positive, because conversions truncate.
+    /// an integer or at least 2^-24 away from one. So `t - 2^-26` lies strictly between the answer and the integer below
+    /// it, and half more than that rounds to the answer.
     #[inline(always)]
     pub(crate) fn crossing(&self, y: i32) -> i32 {
         let t = f64::from(y - self.y) * self.slope;
-        self.x + ((t + CEIL_BIAS) as i32 - 33_554_431)
+        self.x.wrapping_add(((t + CEIL_BIAS) + ROUND).to_bits() as i32)
     }
 }
 

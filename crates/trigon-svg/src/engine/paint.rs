@@ -63,11 +63,11 @@ impl Brush<'_> {
             let Some(span) = clipped(*run, bounds, row) else { continue };
             if span.mask != self.full_mask {
                 for x in span.start..span.end {
-                    let line = row.expand(l, x);
-                    if is_opaque {
-                        replace_samples(l, line, span.mask, color);
-                    } else {
-                        over_samples(l, line, span.mask, color);
+                    // A colour over itself changes nothing: the pixel stays one colour.
+                    if is_opaque && (row.is_expanded(x) || row.words[x] != color) {
+                        replace_samples(l, row.expand(l, x), span.mask, color);
+                    } else if !is_opaque {
+                        over_samples(l, row.expand(l, x), span.mask, color);
                     }
                 }
             } else if is_opaque {

@@ -38,7 +38,8 @@ impl Dashes {
             offset += period;
         }
         let mut first = 0;
-        while first + 1 < lengths.len() && offset >= lengths[first] {
+        // A dash of no length at the very start is a dot.
+        while first + 1 < lengths.len() && offset >= lengths[first] && offset > 0.0 {
             offset -= lengths[first];
             first += 1;
         }
