@@ -2,7 +2,7 @@
 
 use crate::command;
 use crate::failure::Failure;
-use crate::options::{Cli, Command, command_line, with_implied_render};
+use crate::options::{Cli, Command, Given, command_line, with_implied_render};
 use crate::terminal::{self, Terminal};
 use clap::FromArgMatches;
 use std::ffi::OsString;
@@ -11,8 +11,9 @@ use std::process::ExitCode;
 /// Runs the command line; the first argument is the program's name.
 pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     let matches = command_line().try_get_matches_from(with_implied_render(arguments));
-    let done = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
-        Ok(cli) => execute(&cli.command),
+    let read = matches.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, Given::of(&matches))));
+    let done = match read {
+        Ok((cli, given)) => execute(&cli.command, given),
         // What was asked for: help or the version.
         Err(text) if !text.use_stderr() => terminal::write_stdout(text.render().to_string().as_bytes()),
         Err(error) => Err(Failure::Table(error.render().to_string())),
@@ -26,9 +27,9 @@ pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     }
 }
 
-fn execute(command: &Command) -> Result<(), Failure> {
+fn execute(command: &Command, given: Given) -> Result<(), Failure> {
     match command {
-        Command::Render(options) => command::render(options),
+        Command::Render(options) => command::render(options, given),
         Command::Turntable(options) => command::turntable(options),
         Command::Completions(options) => command::completions(options),
         Command::Man(options) => command::man(options),

@@ -5,9 +5,9 @@
 
 use crate::failure::Failure;
 use crate::options::{InputFormat, InputOptions, ViewOptions};
+use crate::stdin;
 use crate::values::{LimitName, UpDirection};
 use std::fs;
-use std::io::{self, Read};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -72,21 +72,24 @@ fn load_one(path: &Path, options: &LoadOptions) -> Result<Loaded, Failure> {
         // The files that a model from standard input names are looked for in the current folder.
         let mut options = options.clone();
         options.resolver = Some(Arc::new(DirectoryResolver::new("")));
-        load_bytes("standard input", &bytes, &options)
+        load_bytes("standard input", bytes, &options)
     } else {
         load_path(path, options)
     };
     loaded.map_err(|error| Failure::work(error.to_string()))
 }
 
-fn read_stdin(max_bytes: u64) -> Result<Vec<u8>, Failure> {
-    let mut bytes = Vec::new();
-    // One byte more than allowed, so that the loader sees that there is too much.
-    match io::stdin().lock().take(max_bytes.saturating_add(1)).read_to_end(&mut bytes) {
-        Ok(0) => Err(Failure::work("standard input is empty; pipe a model into it")),
-        Ok(_) => Ok(bytes),
+fn read_stdin(max_bytes: u64) -> Result<&'static [u8], Failure> {
+    match stdin::bytes(max_bytes) {
+        Ok([]) => Err(Failure::work("standard input is empty; pipe a model into it")),
+        Ok(bytes) => Ok(bytes),
         Err(error) => Err(Failure::work(format!("cannot read standard input: {error}"))),
     }
+}
+
+/// The limit on the size of a file.
+pub(crate) fn max_file_bytes(options: &InputOptions) -> u64 {
+    load_options(options, None).limits.file_bytes
 }
 
 fn load_options(options: &InputOptions, threads: Option<NonZeroUsize>) -> LoadOptions {

@@ -15,6 +15,7 @@ mod output;
 mod progress;
 mod report;
 mod settings;
+mod stdin;
 mod terminal;
 mod turn;
 mod values;

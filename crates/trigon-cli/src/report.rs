@@ -112,15 +112,7 @@ impl Report {
 
     /// Writes the report where it is wanted.
     pub(crate) fn write(&self, target: &ReportTarget, terminal: Terminal) -> Result<(), Failure> {
-        let text = format!("{}\n", self.to_json());
-        match target {
-            ReportTarget::Stdout => terminal::write_stdout(text.as_bytes()),
-            ReportTarget::Stderr => {
-                terminal.note(text.trim_end());
-                Ok(())
-            }
-            ReportTarget::File(path) => Destination::File(path.clone()).write(text.as_bytes()),
-        }
+        write_report(&self.to_json(), target, terminal)
     }
 
     fn to_json(&self) -> Json {
@@ -166,5 +158,18 @@ impl Report {
             ("encode", ms(encode)),
             ("total", ms(self.started.elapsed())),
         ])
+    }
+}
+
+/// Writes a report where it is wanted.
+pub(crate) fn write_report(report: &Json, target: &ReportTarget, terminal: Terminal) -> Result<(), Failure> {
+    let text = format!("{report}\n");
+    match target {
+        ReportTarget::Stdout => terminal::write_stdout(text.as_bytes()),
+        ReportTarget::Stderr => {
+            terminal.note(text.trim_end());
+            Ok(())
+        }
+        ReportTarget::File(path) => Destination::File(path.clone()).write(text.as_bytes()),
     }
 }

@@ -48,7 +48,8 @@ fn default_background(shader: ShaderKind) -> [f32; 4] {
     }
 }
 
-fn sample_pattern(pattern: PatternChoice, samples: u32) -> Result<SamplePattern, Failure> {
+/// The pattern of that many samples.
+pub(crate) fn sample_pattern(pattern: PatternChoice, samples: u32) -> Result<SamplePattern, Failure> {
     let (found, other) = match pattern {
         PatternChoice::Standard => (SamplePattern::standard(samples), SamplePattern::grid(samples).map(|_| "grid")),
         PatternChoice::Grid => (SamplePattern::grid(samples), SamplePattern::standard(samples).map(|_| "standard")),

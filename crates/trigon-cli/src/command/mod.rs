@@ -1,6 +1,9 @@
 //! What each subcommand does.
 
 mod completions;
+mod cs184;
+mod document;
+mod drawing;
 mod man;
 mod render;
 mod studio;

@@ -1,13 +1,20 @@
-//! `trigon render`: models in, one picture out.
+//! `trigon render`: models, or an SVG file, in; one picture out.
 
+use super::drawing;
 use super::studio::Studio;
 use crate::failure::Failure;
-use crate::options::RenderOptions;
+use crate::load;
+use crate::options::{Given, RenderCommandOptions};
 use crate::output::{Destination, Encoding};
 use crate::view;
 use std::time::Instant;
 
-pub(crate) fn render(options: &RenderOptions) -> Result<(), Failure> {
+pub(crate) fn render(options: &RenderCommandOptions, given: Given) -> Result<(), Failure> {
+    let max_bytes = load::max_file_bytes(&options.render.input);
+    if drawing::is_drawing(&options.render.models, max_bytes) {
+        return drawing::draw(options, given, max_bytes);
+    }
+    let options = &options.render;
     let output = Destination::new(&options.output.output);
     let encoding = Encoding::choose(&options.output, &output)?;
     let mut studio = Studio::open(options, &output, &encoding)?;

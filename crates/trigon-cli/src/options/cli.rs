@@ -1,6 +1,6 @@
 //! The command line as a whole: `trigon COMMAND ..`, and the rule that lets `render` be left out.
 
-use super::{RenderOptions, TurntableOptions, texts};
+use super::{RenderCommandOptions, TurntableOptions, texts};
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
@@ -27,9 +27,9 @@ pub(crate) struct Cli {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Draw models to a picture
+    /// Draw models, or an SVG file, to a picture
     #[command(before_help = texts::RENDER_EXAMPLES, after_help = texts::RENDER_NOTES)]
-    Render(Box<RenderOptions>),
+    Render(Box<RenderCommandOptions>),
     /// Draw a model turning around, as an animation or numbered pictures
     #[command(before_help = texts::TURNTABLE_EXAMPLES, after_help = texts::TURNTABLE_NOTES)]
     Turntable(Box<TurntableOptions>),

@@ -4,12 +4,14 @@
 
 mod choices;
 mod cli;
+mod given;
 mod input;
 mod machine;
 mod output;
 mod picture;
 mod render;
 mod shading;
+mod svg;
 mod texts;
 mod textures;
 mod turntable;
@@ -20,12 +22,14 @@ pub(crate) use choices::{
     WireframeChoice, WrapChoice,
 };
 pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
+pub(crate) use given::Given;
 pub(crate) use input::InputOptions;
 pub(crate) use machine::MachineOptions;
 pub(crate) use output::OutputOptions;
 pub(crate) use picture::PictureOptions;
 pub(crate) use render::RenderOptions;
 pub(crate) use shading::ShadingOptions;
+pub(crate) use svg::{NearestTexel, Preset, RenderCommandOptions, SvgOptions};
 pub(crate) use textures::TextureOptions;
 pub(crate) use turntable::TurntableOptions;
 pub(crate) use view::ViewOptions;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct RenderOptions {
-    /// Models to draw together: OBJ, STL or PLY; - for standard input
+    /// Models to draw together: OBJ, STL or PLY; or one SVG file; - for standard input
     ///
     /// Materials and textures of a model are looked for in its folder, those of standard input in the current one.
     #[arg(value_name = "MODEL", required = true)]

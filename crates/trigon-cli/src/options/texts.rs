@@ -18,6 +18,7 @@ Examples:
   trigon render model.obj -o picture.png
   trigon render teapot.obj -o a.png --size 1920x1080 --azimuth -30 --zoom 1.2
   trigon render part.stl -o part.png --wireframe --background none
+  trigon render drawing.svg -o drawing.png --width 1000
   trigon render scene.obj -o a.exr --eye 0,2,6 --light point:3,4,2:20
   cat model.obj | trigon render - -o - > picture.png";
 

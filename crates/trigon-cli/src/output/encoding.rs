@@ -43,6 +43,11 @@ impl Encoding {
         Ok(Self { format, options: encode_options(options, is_float), is_float })
     }
 
+    /// Whether the file holds linear floats or 16-bit numbers made of them.
+    pub(crate) fn is_float(&self) -> bool {
+        self.is_float
+    }
+
     /// The images that a frame must make: bytes for the file, floats for the file, bytes for the hash of a report.
     pub(crate) fn outputs(&self, has_report: bool) -> Outputs {
         Outputs { color: !self.is_float || has_report, color_f32: self.is_float, ..Outputs::NONE }

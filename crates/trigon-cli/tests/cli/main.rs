@@ -7,6 +7,7 @@ mod help;
 mod pipes;
 mod report;
 mod support;
+mod svg;
 mod turntable;
 mod usage;
 mod views;
