@@ -4,7 +4,8 @@
 //! samples are averaged once, when the whole picture is done. So shapes that share an edge meet without a seam, and the
 //! picture is the same, bit for bit, at every SIMD level and with any number of threads.
 //!
-//! [`canvas`] is the drawing interface for Rust programs.
+//! [`canvas`] is the drawing interface for Rust programs, [`svg`] reads SVG files into it, [`filter`] has the filter
+//! primitives, and [`cs184`] draws as a rasterizer of a course does.
 
 pub mod canvas;
 pub mod cs184;

@@ -8,9 +8,9 @@ use std::sync::Arc;
 use trigon::shade::texture::{LevelFilter, PixelFilter};
 use trigon_image::{Color, Rgba8Image};
 
-use super::bounds::{grown, intersect, numbers, pixel_rect};
+use super::bounds::{grown, intersect, numbers, pixel_rect, to_u32};
 use super::convert::Converter;
-use super::primitives::{Space, graph};
+use super::primitives::{Space, graph, reach};
 use crate::canvas::{BlendMode, Drawing, Filter, Image, ImageFilter, Layer, LayerImage, PixelRect, Transform};
 use crate::filter::{Graph, Raster, Region, divide};
 
@@ -53,7 +53,14 @@ impl Converter<'_> {
         let region = pixel_rect(numbers(group.layer_bounding_box()), upright_from_group);
         let canvas = numbers_of(self.canvas);
         let seen = pixel_rect(canvas, &pixels_from_upright.inverse()?);
-        let near = intersect(region, grown(seen, seen.width.saturating_mul(2), seen.height.saturating_mul(2)))?;
+        let [reach_x, reach_y] = group
+            .filters()
+            .iter()
+            .map(|filter| reach(filter, upright_from_group))
+            .try_fold([0.0, 0.0], |sum, next| next.map(|next| [sum[0] + next[0], sum[1] + next[1]]))
+            .map_or([u32::MAX; 2], |reach| reach.map(to_u32));
+        let margin = |reach: u32, side: u32| reach.min(side.saturating_mul(2));
+        let near = intersect(region, grown(seen, margin(reach_x, seen.width), margin(reach_y, seen.height)))?;
         let area = |rect: PixelRect| u64::from(rect.width) * u64::from(rect.height);
         if area(near) <= self.limits.max_filter_pixels {
             return Some(near);

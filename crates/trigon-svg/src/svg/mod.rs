@@ -2,6 +2,20 @@
 //!
 //! The `usvg` crate resolves the text of the file (styles, references, units, fonts) to a tree of groups, paths and images;
 //! what is here turns that tree into layers, paints and filters, and says what of the file is not drawn.
+//!
+//! ```
+//! use trigon_image::Color;
+//! use trigon_svg::canvas::Renderer;
+//! use trigon_svg::svg::{Document, Options, Size, View};
+//!
+//! let file = b"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2 1'><rect width='1' height='1' fill='teal'/></svg>";
+//! let document = Document::parse(file, &Options::default())?;
+//! let view = View { size: Size::Width(100), ..View::default() };
+//! let (picture, warnings) = document.draw(&view, &Renderer::new(), Color::WHITE)?;
+//! assert_eq!((picture.width(), picture.height(), warnings.len()), (100, 50, 0));
+//! assert_eq!(picture.pixels()[0], [0, 128, 128, 255]);
+//! # Ok::<(), trigon_svg::svg::SvgError>(())
+//! ```
 
 mod bounds;
 mod clip;

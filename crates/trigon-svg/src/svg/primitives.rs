@@ -41,6 +41,42 @@ pub(super) fn graph(converter: &mut Converter<'_>, filter: &source::Filter, spac
     Graph { steps }
 }
 
+/// How far, along x and y in pixels, a pixel of the result can depend on pixels of the source; `None` for any distance.
+pub(super) fn reach(filter: &source::Filter, pixels_from_user: &Transform) -> Option<[f64; 2]> {
+    let [scale_x, scale_y] = pixels_from_user.axis_scales();
+    let mut total = [0.0, 0.0];
+    for primitive in filter.primitives() {
+        let [x, y] = match primitive.kind() {
+            // Three box blurs reach at most 3 sqrt(2 pi) 3/8 deviations each way, and a pixel each.
+            Kind::GaussianBlur(fe) => [fe.std_dev_x().get() * 3.0, fe.std_dev_y().get() * 3.0],
+            Kind::DropShadow(fe) => {
+                [fe.std_dev_x().get() * 3.0 + fe.dx().abs(), fe.std_dev_y().get() * 3.0 + fe.dy().abs()]
+            }
+            Kind::Offset(fe) => [fe.dx().abs(), fe.dy().abs()],
+            Kind::Morphology(fe) => [fe.radius_x().get(), fe.radius_y().get()],
+            Kind::DisplacementMap(fe) => [fe.scale().abs() / 2.0; 2],
+            Kind::ConvolveMatrix(fe) if fe.edge_mode() != source::EdgeMode::Wrap => {
+                // In pixels, not in user space.
+                total = [total[0] + f64::from(fe.matrix().columns()), total[1] + f64::from(fe.matrix().rows())];
+                [0.0; 2]
+            }
+            Kind::ConvolveMatrix(_) | Kind::Tile(_) | Kind::Image(_) => return None,
+            Kind::Blend(_)
+            | Kind::ColorMatrix(_)
+            | Kind::ComponentTransfer(_)
+            | Kind::Composite(_)
+            | Kind::DiffuseLighting(_)
+            | Kind::Flood(_)
+            | Kind::Merge(_)
+            | Kind::SpecularLighting(_)
+            | Kind::Turbulence(_) => [0.0; 2],
+        };
+        // Rounding, and the neighbors that lighting reads.
+        total = [total[0] + f64::from(x) * scale_x + 4.0, total[1] + f64::from(y) * scale_y + 4.0];
+    }
+    Some(total)
+}
+
 fn color_space(interpolation: source::ColorInterpolation) -> ColorSpace {
     match interpolation {
         source::ColorInterpolation::SRGB => ColorSpace::Srgb,
