@@ -35,5 +35,6 @@ mod shader;
 mod stroke;
 mod surface;
 
+pub(crate) use blend::blend;
 pub(crate) use color::straight;
 pub(crate) use draw::draw;
