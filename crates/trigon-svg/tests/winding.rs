@@ -86,7 +86,7 @@ fn covered(contours: &[Vec<[i64; 2]>], rule: FillRule, pattern: SamplePattern, x
 
 /// White with the alpha of `count` covered samples, premultiplied.
 fn expected(count: usize, pattern: SamplePattern) -> [u8; 4] {
-    [((count * 255 * 2 + pattern.count()) / (2 * pattern.count())) as u8; 4]
+    [u8::try_from((count * 255 * 2 + pattern.count()) / (2 * pattern.count())).unwrap(); 4]
 }
 
 fn check(contours: &[Vec<[i64; 2]>], rule: FillRule, pattern: SamplePattern) {

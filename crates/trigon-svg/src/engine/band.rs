@@ -82,6 +82,7 @@ impl<'a> Worker<'a> {
         out: &mut [[u8; 4]],
     ) {
         if program.steps_in(band).is_empty() {
+            out.fill(background.to_le_bytes());
             return;
         }
         simd.run(BandTask { worker: self, program, band, background, out });

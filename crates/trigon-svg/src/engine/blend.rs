@@ -131,3 +131,126 @@ fn pack(r: f32, g: f32, b: f32, a: f32) -> u32 {
     let channel = |value: f32| byte(value).min(alpha);
     channel(r) | channel(g) << 8 | channel(b) << 16 | alpha << 24
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// B(Cb, Cs) of the specification for one channel, in double precision, written from its text.
+    fn reference_channel(mode: BlendMode, b: f64, s: f64) -> f64 {
+        let multiply = |b: f64, s: f64| b * s;
+        let screen = |b: f64, s: f64| b + s - b * s;
+        let hard_light = |b: f64, s: f64| if s <= 0.5 { multiply(b, 2.0 * s) } else { screen(b, 2.0 * s - 1.0) };
+        match mode {
+            BlendMode::Normal => s,
+            BlendMode::Multiply => multiply(b, s),
+            BlendMode::Screen => screen(b, s),
+            BlendMode::Overlay => hard_light(s, b),
+            BlendMode::Darken => b.min(s),
+            BlendMode::Lighten => b.max(s),
+            BlendMode::ColorDodge => match (b, s) {
+                (0.0, _) => 0.0,
+                (_, 1.0) => 1.0,
+                _ => (b / (1.0 - s)).min(1.0),
+            },
+            BlendMode::ColorBurn => match (b, s) {
+                (1.0, _) => 1.0,
+                (_, 0.0) => 0.0,
+                _ => 1.0 - ((1.0 - b) / s).min(1.0),
+            },
+            BlendMode::HardLight => hard_light(b, s),
+            BlendMode::SoftLight if s <= 0.5 => b - (1.0 - 2.0 * s) * b * (1.0 - b),
+            BlendMode::SoftLight => {
+                let d = if b <= 0.25 { ((16.0 * b - 12.0) * b + 4.0) * b } else { b.sqrt() };
+                b + (2.0 * s - 1.0) * (d - b)
+            }
+            BlendMode::Difference => (b - s).abs(),
+            BlendMode::Exclusion => b + s - 2.0 * b * s,
+            _ => unreachable!("not a mode of single channels"),
+        }
+    }
+
+    fn lum(c: [f64; 3]) -> f64 {
+        0.3 * c[0] + 0.59 * c[1] + 0.11 * c[2]
+    }
+
+    fn sat(c: [f64; 3]) -> f64 {
+        c[0].max(c[1]).max(c[2]) - c[0].min(c[1]).min(c[2])
+    }
+
+    fn set_lum(c: [f64; 3], l: f64) -> [f64; 3] {
+        let d = l - lum(c);
+        let mut c = c.map(|v| v + d);
+        let (l, n, x) = (lum(c), c[0].min(c[1]).min(c[2]), c[0].max(c[1]).max(c[2]));
+        if n < 0.0 {
+            c = c.map(|v| l + (v - l) * l / (l - n));
+        }
+        if x > 1.0 {
+            c = c.map(|v| l + (v - l) * (1.0 - l) / (x - l));
+        }
+        c
+    }
+
+    /// `SetSat` as the specification has it: by the order of the channels.
+    fn set_sat(c: [f64; 3], s: f64) -> [f64; 3] {
+        let mut order = [0, 1, 2];
+        order.sort_by(|i, j| c[*i].total_cmp(&c[*j]));
+        let [min, mid, max] = order;
+        let mut out = [0.0; 3];
+        if c[max] > c[min] {
+            out[mid] = (c[mid] - c[min]) * s / (c[max] - c[min]);
+            out[max] = s;
+        }
+        out
+    }
+
+    fn reference(mode: BlendMode, source: u32, below: u32) -> [f64; 4] {
+        let [s, b] = [source, below].map(|pixel| pixel.to_le_bytes().map(|byte| f64::from(byte) / 255.0));
+        let straight = |c: [f64; 4]| [c[0] / c[3], c[1] / c[3], c[2] / c[3]];
+        let (cs, cb) = (straight(s), straight(b));
+        let mixed = match mode {
+            BlendMode::Hue => set_lum(set_sat(cs, sat(cb)), lum(cb)),
+            BlendMode::Saturation => set_lum(set_sat(cb, sat(cs)), lum(cb)),
+            BlendMode::Color => set_lum(cs, lum(cb)),
+            BlendMode::Luminosity => set_lum(cb, lum(cs)),
+            _ => core::array::from_fn(|i| reference_channel(mode, cb[i], cs[i])),
+        };
+        let (sa, ba) = (s[3], b[3]);
+        let channel = |i: usize| sa * (1.0 - ba) * cs[i] + sa * ba * mixed[i] + (1.0 - sa) * ba * cb[i];
+        [channel(0), channel(1), channel(2), sa + ba - sa * ba]
+    }
+
+    fn random_pixel(random: &mut u64) -> u32 {
+        let mut byte = |end: u64| {
+            *random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((*random >> 33) % end) as u32
+        };
+        let alpha = [255, 1 + byte(255), 1 + byte(255)][byte(3) as usize];
+        let mut channel = || [0, alpha, byte(u64::from(alpha) + 1)][byte(3) as usize];
+        channel() | channel() << 8 | channel() << 16 | alpha << 24
+    }
+
+    #[test]
+    fn every_mode_is_within_half_a_step_of_the_formula() {
+        let mut random = 3;
+        for _ in 0..20_000 {
+            let (source, below) = (random_pixel(&mut random), random_pixel(&mut random));
+            for mode in BlendMode::ALL {
+                let actual = blend(mode, source, below).to_le_bytes().map(f64::from);
+                let expected = reference(mode, source, below).map(|value| value * 255.0);
+                for c in 0..4 {
+                    let error = (actual[c] - expected[c]).abs();
+                    assert!(error <= 0.501, "{mode:?} {source:08x} over {below:08x}: {actual:?} for {expected:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_over_something_and_something_over_nothing_stay_as_they_are() {
+        for mode in BlendMode::ALL {
+            assert_eq!(blend(mode, 0, 0x8010_2040), 0x8010_2040);
+            assert_eq!(blend(mode, 0x8010_2040, 0), 0x8010_2040);
+        }
+    }
+}

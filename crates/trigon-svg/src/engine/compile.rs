@@ -4,7 +4,7 @@
 
 use super::color::{premultiplied, unit};
 use super::coverage::Bounds;
-use super::draw::draw_items;
+use super::draw::picture_of;
 use super::geometry::{Geometry, Outlined};
 use super::program::{Clip, MaskProgram, Program, Step, Tables};
 use super::samples::SampleRows;
@@ -208,7 +208,7 @@ impl<'a> Compiler<'a> {
         rect.width = rect.width.min(trigon::target::MAX_SIZE);
         rect.height = rect.height.min(trigon::target::MAX_SIZE).min((limit / u64::from(rect.width.max(1))) as u32);
         let base = Transform::translate(-f64::from(rect.x), -f64::from(rect.y));
-        let pixels = draw_items(self.renderer, inside, base, [rect.width, rect.height], 0, self.depth + 1);
+        let pixels = picture_of(self.renderer, inside, base, [rect.width, rect.height], self.depth + 1);
         (filter.apply)(LayerImage { rect, pixels })
     }
 
@@ -247,7 +247,7 @@ impl<'a> Compiler<'a> {
         }
         let (scale_x, scale_y) = (f64::from(size[0]) / width, f64::from(size[1]) / height);
         let base = Transform::scale(scale_x, scale_y) * Transform::translate(-x, -y);
-        let pixels = draw_items(self.renderer, pattern.drawing.items(), base, size, 0, self.depth + 1);
+        let pixels = picture_of(self.renderer, pattern.drawing.items(), base, size, self.depth + 1);
         let pixels = pixels.into_iter().map(u32::from_le_bytes).collect();
         let from_tile = from_pattern * Transform::translate(x, y) * Transform::scale(1.0 / scale_x, 1.0 / scale_y);
         Tile::new(size, pixels, &from_tile, to_byte(unit(pattern.opacity) * opacity))

@@ -265,19 +265,26 @@ impl<W: Word, const R: usize> BandCells<'_, W, R> {
             *shift -= left;
         }
         let columns_from = self.samples.columns_from();
-        let crossed_words = self.columns.div_ceil(64);
-        let limit = ((self.columns - 1) as i32) << 8;
+        let (columns, crossed_words) = (self.columns, self.columns.div_ceil(64));
+        let limit = ((columns - 1) as i32) << 8;
         let top = self.bounds.rows[0] as i32;
         let (first, end) = (top * R as i32, self.bounds.rows[1] as i32 * R as i32);
         for edge in edges {
-            for sample_row in edge.first.max(first)..edge.end.min(end) {
-                let (row, r) = ((sample_row as u32 / R as u32) as i32, (sample_row as u32 % R as u32) as usize);
-                let x = (edge.crossing((row << 8) + offsets[r]) + shifts[r]).max(0).min(limit);
-                let (column, row) = ((x >> 8) as usize, (row - top) as usize);
-                let change = W::change(columns_from[(x & 255) as usize], edge.direction);
-                let word = &mut self.cells[row * self.columns + column][r];
-                *word = word.add(change);
-                self.crossed[row * crossed_words + column / 64] |= 1 << (column % 64);
+            let (mut next, end) = (edge.first.max(first), edge.end.min(end));
+            while next < end {
+                let (row, r) = ((next as u32 / R as u32) as i32, (next as u32 % R as u32) as usize);
+                let index = (row - top) as usize;
+                let cells = &mut self.cells[index * columns..(index + 1) * columns];
+                let crossed = &mut self.crossed[index * crossed_words..(index + 1) * crossed_words];
+                let stop = R.min(r + (end - next) as usize);
+                for r in r..stop {
+                    let x = (edge.crossing((row << 8) + offsets[r]) + shifts[r]).max(0).min(limit);
+                    let column = (x >> 8) as usize;
+                    let word = &mut cells[column][r];
+                    *word = word.add(W::change(columns_from[(x & 255) as usize], edge.direction));
+                    crossed[column / 64] |= 1 << (column % 64);
+                }
+                next += (stop - r) as i32;
             }
         }
     }

@@ -8,34 +8,45 @@ use super::samples::SampleRows;
 use crate::canvas::{Drawing, Item, Renderer, Transform};
 use trigon_image::Color;
 
-/// Draws what of `drawing` lies in a picture of `size` pixels, over `background`.
-pub(crate) fn draw(renderer: &Renderer, drawing: &Drawing, size: [u32; 2], background: Color) -> Vec<[u8; 4]> {
-    let background = color::premultiplied(background, 1.0);
-    draw_items(renderer, drawing.items(), Transform::IDENTITY, size, background, 0)
+/// Draws what of `drawing` lies in a picture of `size` pixels, over `background`, into all of `out`.
+pub(crate) fn draw(renderer: &Renderer, drawing: &Drawing, size: [u32; 2], background: Color, out: &mut [[u8; 4]]) {
+    draw_items(renderer, drawing.items(), Transform::IDENTITY, size, color::premultiplied(background, 1.0), 0, out);
 }
 
-/// Draws items moved by `base`, inside `depth` layers.
-pub(crate) fn draw_items(
+/// A picture of items moved by `base`, inside `depth` layers, on transparent black.
+pub(crate) fn picture_of(
+    renderer: &Renderer,
+    items: &[Item],
+    base: Transform,
+    size: [u32; 2],
+    depth: u32,
+) -> Vec<[u8; 4]> {
+    let mut pixels = vec![[0; 4]; size[0] as usize * size[1] as usize];
+    draw_items(renderer, items, base, size, 0, depth, &mut pixels);
+    pixels
+}
+
+fn draw_items(
     renderer: &Renderer,
     items: &[Item],
     base: Transform,
     size: [u32; 2],
     background: u32,
     depth: u32,
-) -> Vec<[u8; 4]> {
+    out: &mut [[u8; 4]],
+) {
     let [width, height] = size;
-    let mut pixels = vec![background.to_le_bytes(); width as usize * height as usize];
-    if pixels.is_empty() || depth > renderer.max_depth {
-        return pixels;
+    if out.is_empty() || depth > renderer.max_depth {
+        out.fill(background.to_le_bytes());
+        return;
     }
     let samples = SampleRows::new(renderer.pattern);
     let (program, tables) = compile(renderer, &samples, items, base, size, depth);
     let band_pixels = (BAND_ROWS * width) as usize;
-    let bands = (height.div_ceil(BAND_ROWS) as usize).min(renderer.threads.max(1));
-    let mut workers: Vec<Worker<'_>> = (0..bands).map(|_| Worker::new(&samples, &tables, width)).collect();
-    let tasks = (0..).zip(pixels.chunks_mut(band_pixels));
+    let threads = (height.div_ceil(BAND_ROWS) as usize).min(renderer.threads.max(1));
+    let mut workers: Vec<Worker<'_>> = (0..threads).map(|_| Worker::new(&samples, &tables, width)).collect();
+    let tasks = (0..).zip(out.chunks_mut(band_pixels));
     trigon::schedule::share(&mut workers, tasks, |worker, (band, out): (u32, &mut [[u8; 4]])| {
         worker.draw_band(renderer.simd, &program, band, background, out);
     });
-    pixels
 }

@@ -12,7 +12,6 @@
     clippy::cast_sign_loss,
     clippy::cast_precision_loss,
     clippy::cast_possible_wrap,
-    clippy::cast_lossless,
     reason = "coordinates, counts and masks are cast within proven ranges throughout the kernels"
 )]
 

@@ -46,6 +46,12 @@ impl Brush<'_> {
                 continue;
             }
             let mut row = surface.row_mut(y);
+            let left = u32::from(runs[0].x).max(bounds.columns[0]);
+            let right = u32::from(runs[runs.len() - 1].end()).min(bounds.columns[1]);
+            if left >= right {
+                continue;
+            }
+            row.mark_drawn((left - row.left) as usize, (right - row.left) as usize);
             match self.shader {
                 Shader::Solid(color) if self.blend == BlendMode::Normal => {
                     self.solid_row(l, *color, runs, &bounds, &mut row);
@@ -91,8 +97,8 @@ impl Brush<'_> {
         colors: &mut Vec<u32>,
     ) {
         // Runs side by side are shaded together, so that edges do not waste lanes.
+        // tidy: allow(lane-closure): no lanes in it
         for group in runs.chunk_by(|a, b| a.end() == b.x) {
-            // tidy: allow(lane-closure): no lanes in it
             let (first, last) = (group[0], group[group.len() - 1]);
             let left = u32::from(first.x).max(bounds.columns[0]);
             let right = u32::from(last.end()).min(bounds.columns[1]);
@@ -150,17 +156,15 @@ impl Brush<'_> {
     }
 }
 
-/// The part of a run inside `bounds`, relative to the row, which is marked as drawn.
+/// The part of a run inside `bounds`, relative to the row.
 #[inline(always)]
-fn clipped(run: Run, bounds: &Bounds, row: &mut Row<'_>) -> Option<Span> {
+fn clipped(run: Run, bounds: &Bounds, row: &Row<'_>) -> Option<Span> {
     let start = u32::from(run.x).max(bounds.columns[0]);
     let end = u32::from(run.end()).min(bounds.columns[1]);
     if start >= end {
         return None;
     }
-    let (start, end) = ((start - row.left) as usize, (end - row.left) as usize);
-    row.mark_drawn(start, end);
-    Some(Span { start, end, mask: run.mask })
+    Some(Span { start: (start - row.left) as usize, end: (end - row.left) as usize, mask: run.mask })
 }
 
 /// Never inlined: shaders are large, and called from several places.

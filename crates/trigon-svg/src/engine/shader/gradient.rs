@@ -58,7 +58,7 @@ impl Gradient {
     pub(crate) fn radial(gradient: &RadialGradient, from_path: &Transform, opacity: f32) -> Option<Result<Self, u32>> {
         let last = gradient.stops.last()?;
         let radius = f64::from(gradient.radius);
-        if gradient.stops.len() < 2 || !(radius > 0.0) {
+        if gradient.stops.len() < 2 || radius.is_nan() || radius <= 0.0 {
             return Some(Err(solid(last, opacity)));
         }
         let [cx, cy] = gradient.center.map(f64::from);

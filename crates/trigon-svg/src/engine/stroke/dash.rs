@@ -50,7 +50,8 @@ impl Dashes {
     /// Calls `draw` with each piece; `piece` is memory to work in.
     pub(super) fn cut(&self, line: &Polyline, piece: &mut Polyline, draw: &mut impl FnMut(&Polyline)) {
         let total: f64 = line.segments().map(|(a, b)| distance(a.point, b.point)).sum();
-        if !(total / self.period * self.lengths.len() as f64 <= MAX_PIECES) || line.vertices.len() < 2 {
+        let is_bounded = total / self.period * self.lengths.len() as f64 <= MAX_PIECES;
+        if !is_bounded || line.vertices.len() < 2 {
             draw(line);
             return;
         }
