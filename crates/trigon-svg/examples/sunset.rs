@@ -34,16 +34,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Ripples, longer towards the viewer.
     for i in 0..14u8 {
         let (row, reach) = (f32::from(i), 40.0 + 14.0 * f32::from(i));
-        let mut wave = Path::new();
         let (x, y) = (320.0 - reach + 21.0 * (row % 3.0), 256.0 + row * row * 0.7);
-        wave.move_to(x, y).quad_to(x + reach * 0.5, y - 4.0, x + reach, y).quad_to(
-            x + reach * 1.5,
-            y + 4.0,
-            x + reach * 2.0,
-            y,
-        );
-        let pen =
-            Stroke::new(1.0 + row * 0.22).with_cap(Cap::Round).with_dashes(&[reach * 0.6, 9.0, 14.0, 9.0], row * 7.0);
+        let mut wave = Path::new();
+        wave.move_to(x, y).cubic_to(x + reach * 0.7, y - 5.0, x + reach * 1.3, y + 5.0, x + reach * 2.0, y);
+        let dashes = [reach * 0.6, 9.0, 14.0, 9.0];
+        let pen = Stroke::new(1.0 + row * 0.22).with_cap(Cap::Round).with_dashes(&dashes, row * 7.0);
         drawing.stroke(wave, &pen, still, Color::parse("#ffc983")?, 0.75 - row * 0.04, BlendMode::Normal);
     }
 
