@@ -2,7 +2,8 @@
 //!
 //! Below [`BOX_FROM`] the Gaussian is summed directly with integer weights; from there on it is the three box blurs that
 //! Filter Effects 1, "feGaussianBlur" gives, in running sums, so that the time does not depend on the deviation.
-//! Between passes a channel has eight fractional bits. Integers only: the result is the same on every machine.
+//! Between passes a channel has eight fractional bits. Integers only, of 32 bits so that the four channels of a pixel share
+//! one register: the result is the same on every machine.
 
 use super::raster::{Pixel, Raster};
 
@@ -13,7 +14,10 @@ const NO_BLUR: f32 = 0.05;
 /// Sum of the weights of a direct kernel: small enough that a weighted sum fits 32 bits.
 const WEIGHT_ONE: u32 = 1 << 14;
 
-/// A channel with eight fractional bits, four of them a pixel.
+/// Rows up to this length have eight fractional bits, longer ones none, so that the sum of a row fits 32 bits.
+const MAX_LENGTH_WITH_FRACTION: usize = 65_000;
+
+/// A channel with fractional bits, four of them a pixel.
 type Wide = [u32; 4];
 
 /// The picture blurred by `deviation_x` and `deviation_y`, in pixels; not along an axis where it is below 1/20.
@@ -29,25 +33,27 @@ fn blur_rows(mut raster: Raster, deviation: f32) -> Raster {
     }
     let kernel = Kernel::new(deviation);
     let width = raster.width();
+    let fraction_bits = if width <= MAX_LENGTH_WITH_FRACTION { 8 } else { 0 };
     let (mut row, mut scratch) = (vec![[0; 4]; width], vec![[0; 4]; width]);
     for pixels in raster.pixels_mut().chunks_exact_mut(width) {
         if pixels.iter().all(|pixel| pixel[3] == 0) {
             continue;
         }
         for (wide, pixel) in row.iter_mut().zip(&*pixels) {
-            *wide = pixel.map(|code| u32::from(code) << 8);
+            *wide = pixel.map(|code| u32::from(code) << fraction_bits);
         }
         kernel.apply(&mut row, &mut scratch);
         for (pixel, wide) in pixels.iter_mut().zip(&row) {
-            *pixel = narrow(*wide);
+            *pixel = narrow(*wide, fraction_bits);
         }
     }
     raster
 }
 
 /// Nearest codes; colors never above alpha, which rounding could break.
-fn narrow(wide: Wide) -> Pixel {
-    let [r, g, b, a] = wide.map(|value| u8::try_from((value + 128) >> 8).unwrap_or(u8::MAX));
+fn narrow(wide: Wide, fraction_bits: u32) -> Pixel {
+    let half = (1 << fraction_bits) >> 1;
+    let [r, g, b, a] = wide.map(|value| u8::try_from((value + half) >> fraction_bits).unwrap_or(u8::MAX));
     [r.min(a), g.min(a), b.min(a), a]
 }
 
@@ -124,32 +130,36 @@ fn convolve(from: &[Wide], to: &mut [Wide], weights: &[u32]) {
     }
 }
 
-/// The mean of `size` pixels of which `before` lie before the pixel written.
+/// The mean of `size` pixels of which `before` lie before the pixel written; transparent outside the row.
 fn box_blur(from: &[Wide], to: &mut [Wide], before: usize, size: usize) {
-    // Division by `size` as multiplication: the values have 16 bits and the error is below 2^-32 of the sum.
-    let reciprocal = (1u64 << 32).div_ceil(size as u64);
+    // Division by `size` as multiplication: off by less than 2^-32 of the sum, which has 32 bits. A size of 1 fits too.
+    let reciprocal = u32::try_from((1u64 << 32).div_ceil(size as u64)).unwrap_or(u32::MAX);
     let after = size - 1 - before;
-    let mut sum = [0u64; 4];
+    let mut sum = [0u32; 4];
     for pixel in &from[..after.min(from.len())] {
-        add(&mut sum, *pixel);
+        sum = added(sum, *pixel);
     }
     for (x, out) in to.iter_mut().enumerate() {
         if let Some(entering) = x.checked_add(after).and_then(|x| from.get(x)) {
-            add(&mut sum, *entering);
+            sum = added(sum, *entering);
         }
-        *out = sum.map(|value| u32::try_from((value * reciprocal + (1 << 31)) >> 32).unwrap_or(u32::MAX));
+        *out = sum.map(|value| scaled(value, reciprocal));
         if let Some(leaving) = x.checked_sub(before) {
             for (total, value) in sum.iter_mut().zip(from[leaving]) {
-                *total -= u64::from(value);
+                *total -= value;
             }
         }
     }
 }
 
-fn add(sum: &mut [u64; 4], pixel: Wide) {
-    for (total, value) in sum.iter_mut().zip(pixel) {
-        *total += u64::from(value);
-    }
+fn added(sum: [u32; 4], pixel: Wide) -> [u32; 4] {
+    std::array::from_fn(|i| sum[i] + pixel[i])
+}
+
+/// `value * reciprocal / 2^32`, nearest.
+fn scaled(value: u32, reciprocal: u32) -> u32 {
+    let product = u64::from(value) * u64::from(reciprocal) + (1 << 31);
+    u32::try_from(product >> 32).unwrap_or(u32::MAX)
 }
 
 #[cfg(test)]
