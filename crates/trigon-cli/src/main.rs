@@ -22,5 +22,16 @@ mod values;
 mod view;
 
 fn main() -> std::process::ExitCode {
+    hide_reader_panics();
     app::run(std::env::args_os().collect())
+}
+
+/// What the reader of SVG files cannot bear is told as an error of ours; its own words would only confuse.
+fn hide_reader_panics() {
+    let show = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if std::thread::current().name() != Some(trigon_svg::svg::READER_THREAD) {
+            show(panic);
+        }
+    }));
 }

@@ -211,6 +211,15 @@ fn every_beginning_of_a_file_ends() {
 }
 
 #[test]
+fn numbers_that_the_reader_cannot_bear_are_an_error() {
+    for number in ["2147483648", "1e30"] {
+        ends(&page(&format!(
+            "<filter id='f' x='0' width='0.5'><feFlood/></filter><rect x='{number}' width='160' height='160' filter='url(#f)' transform='scale(0.1)'/>"
+        )));
+    }
+}
+
+#[test]
 fn broken_images_are_named() {
     let (_, warnings) = draw(&page(
         "<image width='9' height='9' xlink:href='data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAA//8AAP//CAYAAAAfFcSJ'/>",

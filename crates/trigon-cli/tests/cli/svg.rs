@@ -121,4 +121,8 @@ fn broken_files_are_refused_with_a_reason() {
         Folder::new().with("a.svg", "<svg xmlns='http://www.w3.org/2000/svg'><g></svg>").with("b.svg", "no xml");
     folder.run("a.svg -o a.png").fails_with(&["a.svg", "not a valid SVG file"]);
     folder.run("b.svg -o a.png").fails_with(&["b.svg", "not a valid SVG file"]);
+    let far = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><filter id='f' x='0' width='.5'><feFlood/></filter>
+        <rect x='2147483648' width='160' height='160' filter='url(#f)' transform='scale(.1)'/></svg>";
+    let folder = Folder::new().with("c.svg", far);
+    folder.run("c.svg -o a.png").fails_with(&["c.svg", "not a valid SVG file", "too large"]);
 }

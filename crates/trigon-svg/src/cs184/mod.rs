@@ -15,5 +15,6 @@ mod reader;
 mod texture;
 mod transform;
 
+pub(crate) use number::list as number_list;
 pub use options::{LevelSampling, NearestRule, Options, PixelSampling};
 pub use picture::draw;

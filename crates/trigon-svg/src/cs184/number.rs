@@ -15,7 +15,7 @@ pub(super) fn leading(text: &str) -> Option<f64> {
 }
 
 /// All numbers of a list, separated by blanks or commas.
-pub(super) fn list(text: &str) -> Vec<f64> {
+pub(crate) fn list(text: &str) -> Vec<f64> {
     text.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty()).map_while(leading).collect()
 }
 

@@ -9,6 +9,7 @@ use super::images::{Images, image_filter};
 use super::limits::Limits;
 use super::paint::{color, fill_rule, linear, radial, stroke};
 use super::path::{path, rect_path, transform};
+use super::triangles::Triangles;
 use super::warnings::Warnings;
 use crate::canvas::{
     BlendMode, ClipPath, Drawing, FillRule, ImageFilter, Layer, Mask, MaskKind, Paint, Path, Pattern, PixelRect,
@@ -24,12 +25,14 @@ pub(super) struct Converter<'a> {
     pub(super) canvas: PixelRect,
     pub(super) warnings: Warnings,
     images: Images,
+    triangles: &'a Triangles,
     depth: usize,
 }
 
 impl<'a> Converter<'a> {
-    pub(super) fn new(renderer: &'a Renderer, limits: &'a Limits, canvas: PixelRect) -> Self {
-        Self { renderer, limits, canvas, warnings: Warnings::default(), images: Images::default(), depth: 0 }
+    pub(super) fn new(renderer: &'a Renderer, limits: &'a Limits, triangles: &'a Triangles, canvas: PixelRect) -> Self {
+        let (warnings, images) = (Warnings::default(), Images::default());
+        Self { renderer, limits, canvas, warnings, images, triangles, depth: 0 }
     }
 
     /// Draws a node; `pixels_from_parent` is the space its transform leads to.
@@ -167,7 +170,9 @@ impl<'a> Converter<'a> {
     fn paint(&mut self, source: &usvg::Paint, pixels_from_path: Transform) -> Option<Paint> {
         Some(match source {
             usvg::Paint::Color(source) => color(*source).into(),
-            usvg::Paint::LinearGradient(source) => linear(source),
+            usvg::Paint::LinearGradient(source) => {
+                self.triangles.paint(source.id()).cloned().unwrap_or_else(|| linear(source))
+            }
             usvg::Paint::RadialGradient(source) => radial(source),
             usvg::Paint::Pattern(source) => self.pattern(source, pixels_from_path)?.into(),
         })

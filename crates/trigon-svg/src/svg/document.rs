@@ -7,6 +7,7 @@ use usvg::roxmltree;
 
 use super::convert::Converter;
 use super::path::transform;
+use super::triangles::{Triangles, rewrite};
 use super::view::Fitted;
 use super::warnings::Warnings;
 use super::{Area, Limits, Options, SvgError, View, Warning};
@@ -17,6 +18,7 @@ pub struct Document {
     tree: usvg::Tree,
     limits: Limits,
     warnings: Warnings,
+    triangles: Triangles,
 }
 
 /// A document, or a part of it, ready to be drawn.
@@ -49,7 +51,9 @@ impl Document {
             return Err(SvgError::LimitExceeded(format!("the file has over {} bytes", options.limits.max_bytes)));
         }
         let text = std::str::from_utf8(bytes).map_err(|_| SvgError::Malformed("it is not UTF-8 text".to_owned()))?;
-        on_a_large_stack(|| parse_text(text, options))
+        // The tree's reader panics on numbers whose sums leave the range of f32.
+        on_a_large_stack(READER_THREAD, || parse_text(text, options))
+            .unwrap_or_else(|_| Err(SvgError::Malformed("its numbers are too large or too small".to_owned())))
     }
 
     /// Width and height of the page in user space (pixels at the size the document asks for).
@@ -65,7 +69,8 @@ impl Document {
     /// # Errors
     /// If the view's id is not in the document, or its area has no extent.
     pub fn prepare(&self, view: &View, renderer: &Renderer) -> Result<Prepared, SvgError> {
-        on_a_large_stack(|| self.convert(view, renderer))
+        on_a_large_stack("trigon-svg", || self.convert(view, renderer))
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     }
 
     /// Draws a part of the document, over `background`.
@@ -91,7 +96,8 @@ impl Document {
         let area = self.area(view, node)?;
         let fitted = view.size.fit(area).ok_or(SvgError::Empty)?;
         let Fitted { width, height, pixels_from_user } = fitted;
-        let mut converter = Converter::new(renderer, &self.limits, PixelRect { x: 0, y: 0, width, height });
+        let canvas = PixelRect { x: 0, y: 0, width, height };
+        let mut converter = Converter::new(renderer, &self.limits, &self.triangles, canvas);
         let mut drawing = Drawing::new();
         match node {
             None => {
@@ -142,15 +148,19 @@ fn unpack(bytes: &[u8], max_bytes: usize) -> Result<Vec<u8>, SvgError> {
 
 fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     let limits = &options.limits;
-    let nodes_limit = u32::try_from(limits.max_elements.saturating_mul(4)).unwrap_or(u32::MAX);
-    let xml_options = roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, ..Default::default() };
-    let xml = roxmltree::Document::parse_with_options(text, xml_options).map_err(|error| match error {
-        roxmltree::Error::NodesLimitReached => too_many_elements(limits),
-        error => SvgError::Malformed(error.to_string()),
-    })?;
-    check_depth(&xml, limits)?;
+    let original = parse_xml(text, limits)?;
+    check_depth(&original, limits)?;
     let mut warnings = Warnings::default();
-    warn_of_elements(&xml, &mut warnings);
+    let rewritten = rewrite(&original, text, options, &mut warnings);
+    let changed;
+    let (xml, triangles) = match &rewritten {
+        Some((text, triangles)) => {
+            changed = parse_xml(text, limits)?;
+            (&changed, triangles.clone())
+        }
+        None => (&original, Triangles::default()),
+    };
+    warn_of_elements(xml, &mut warnings);
 
     let mut usvg_options = usvg::Options {
         resources_dir: options.folder.clone(),
@@ -162,16 +172,25 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     if options.folder.is_none() {
         usvg_options.image_href_resolver.resolve_string = Box::new(|_, _| None);
     }
-    if may_hold_text(&xml) {
+    if may_hold_text(xml) {
         let (fonts, unreadable) = options.fonts.load();
         usvg_options.fontdb = Arc::new(fonts);
         unreadable.into_iter().for_each(|message| warnings.add(message));
     }
-    let tree = usvg::Tree::from_xmltree(&xml, &usvg_options).map_err(|error| match error {
+    let tree = usvg::Tree::from_xmltree(xml, &usvg_options).map_err(|error| match error {
         usvg::Error::ElementsLimitReached => too_many_elements(limits),
         error => SvgError::Malformed(error.to_string()),
     })?;
-    Ok(Document { tree, limits: limits.clone(), warnings })
+    Ok(Document { tree, limits: limits.clone(), warnings, triangles })
+}
+
+fn parse_xml<'a>(text: &'a str, limits: &Limits) -> Result<roxmltree::Document<'a>, SvgError> {
+    let nodes_limit = u32::try_from(limits.max_elements.saturating_mul(4)).unwrap_or(u32::MAX);
+    let options = roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, ..Default::default() };
+    roxmltree::Document::parse_with_options(text, options).map_err(|error| match error {
+        roxmltree::Error::NodesLimitReached => too_many_elements(limits),
+        error => SvgError::Malformed(error.to_string()),
+    })
 }
 
 fn too_many_elements(limits: &Limits) -> SvgError {
@@ -219,21 +238,31 @@ fn warn_of_elements(xml: &roxmltree::Document<'_>, warnings: &mut Warnings) {
     }
 }
 
-/// Runs `work` where recursion as deep as the limits allow has room.
+/// The name of the thread that files are read on. A program that shows panics may want to leave out those of this one:
+/// they are turned into errors.
+pub const READER_THREAD: &str = "trigon-svg-reader";
+
+/// Runs `work` where recursion as deep as the limits allow has room; `Err` holds its panic.
 #[cfg(not(target_family = "wasm"))]
-fn on_a_large_stack<T: Send>(work: impl FnOnce() -> Result<T, SvgError> + Send) -> Result<T, SvgError> {
+fn on_a_large_stack<T: Send>(
+    name: &str,
+    work: impl FnOnce() -> Result<T, SvgError> + Send,
+) -> std::thread::Result<Result<T, SvgError>> {
     /// Reserved, not used, by most files.
     const STACK_BYTES: usize = 256 << 20;
     std::thread::scope(|scope| {
-        let thread =
-            std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work).map_err(|error| {
-                SvgError::LimitExceeded(format!("a thread to read the file cannot be started: {error}"))
-            })?;
-        thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        let builder = std::thread::Builder::new().name(name.to_owned()).stack_size(STACK_BYTES);
+        match builder.spawn_scoped(scope, work) {
+            Ok(thread) => thread.join(),
+            Err(error) => Ok(Err(SvgError::LimitExceeded(format!("a thread cannot be started: {error}")))),
+        }
     })
 }
 
 #[cfg(target_family = "wasm")]
-fn on_a_large_stack<T: Send>(work: impl FnOnce() -> Result<T, SvgError> + Send) -> Result<T, SvgError> {
-    work()
+fn on_a_large_stack<T: Send>(
+    _name: &str,
+    work: impl FnOnce() -> Result<T, SvgError> + Send,
+) -> std::thread::Result<Result<T, SvgError>> {
+    Ok(work())
 }

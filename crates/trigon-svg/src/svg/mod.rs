@@ -31,10 +31,11 @@ mod paint;
 mod path;
 mod primitives;
 mod recognize;
+mod triangles;
 mod view;
 mod warnings;
 
-pub use document::{Document, Prepared};
+pub use document::{Document, Prepared, READER_THREAD};
 pub use error::SvgError;
 pub use fonts::FontOptions;
 pub use limits::Limits;
