@@ -39,7 +39,7 @@ pub fn all() -> Vec<NamedFrame> {
     frames
 }
 
-/// One line `name hash` for each frame, and for each file that [`files::hashes`] makes.
+/// One line `name hash` for each frame, and for each file that the `files` module makes.
 #[must_use]
 pub fn report(options: RendererOptions) -> String {
     let frames = all().into_iter().map(|frame| (frame.hash(options), frame.name));
