@@ -15,10 +15,10 @@ pub(crate) struct PictureOptions {
     #[arg(short, long, default_value = "1024x768")]
     pub(crate) size: PictureSize,
 
-    /// Colour behind the model, or none [default: #e6e8eb]
+    /// Colour behind the model, or none [default: light grey]
     ///
-    /// none is transparent; formats without transparency show it as white. Behind shaders that look inside (normal,
-    /// depth, uv and so on) the default is black.
+    /// The grey is #e6e8eb. none is transparent; formats without transparency show it as white. Behind shaders that look
+    /// inside (normal, depth, uv and so on) the default is black, behind SVG it is none.
     #[arg(short, long, value_name = "COLOUR")]
     pub(crate) background: Option<Color>,
 

@@ -63,7 +63,7 @@ pub fn srgb16_to_linear(code: u16) -> f32 {
 
 /// The 16-bit sRGB code nearest to linear `x`, halves up; 0 for NaN and below 0, 65535 above 1.
 ///
-/// A parabola for each of 256 intervals an octave gives the encoded value to far less than [`NEAR_TIE`] of a code; only a
+/// A parabola for each of 256 intervals an octave gives the encoded value to far less than `NEAR_TIE` of a code; only a
 /// value that close to a tie needs the power itself.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "the value is in 0..65536")]

@@ -2,7 +2,7 @@
 //!
 //! In: scalars, slices and a level ([`SimdLevel`]). Out: [`F32`], [`I32`], [`U32`], [`Mask`] and small vectors of them.
 //! The one idea: a kernel is a safe `#[inline(always)]` function, generic over [`Lanes`], and is compiled once per
-//! level; [`dispatch`] picks the level once per tile or chunk. There are always [`LANES`] logical lanes (one AVX-512
+//! level; `dispatch` picks the level once per tile or chunk. There are always [`LANES`] logical lanes (one AVX-512
 //! register, two AVX2, four SSE/NEON/wasm ones), so that no value can depend on the width of the hardware.
 //!
 //! Absent on purpose: fused multiply-add, reciprocal estimates, horizontal float sums, platform transcendentals,
