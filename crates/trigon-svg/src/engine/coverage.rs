@@ -236,6 +236,7 @@ impl<W: Word> Cells<W> {
             crossed: &mut self.crossed[..crossed],
             columns,
             bounds,
+            masks: MaskShape::new(samples),
         };
         band.scatter(edges);
         for row in 0..rows {
@@ -253,6 +254,7 @@ struct BandCells<'a, W, const R: usize> {
     /// In each row of `cells`.
     columns: usize,
     bounds: &'a Bounds,
+    masks: MaskShape,
 }
 
 impl<W: Word, const R: usize> BandCells<'_, W, R> {
@@ -295,7 +297,7 @@ impl<W: Word, const R: usize> BandCells<'_, W, R> {
         let crossed_words = self.columns.div_ceil(64);
         let crossed = &mut self.crossed[row * crossed_words..(row + 1) * crossed_words];
         let cells = &mut self.cells[row * self.columns..(row + 1) * self.columns];
-        let masks = MaskShape::new(self.samples);
+        let masks = self.masks;
         let left = self.bounds.columns[0] as usize;
         let last = self.columns - 1;
         let mut pen = Pen { x: left, mask: 0 };
