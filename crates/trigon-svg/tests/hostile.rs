@@ -227,3 +227,17 @@ fn broken_images_are_named() {
     .unwrap();
     assert!(warnings.iter().any(|warning| warning.message.contains("image")), "{warnings:?}");
 }
+
+#[test]
+fn curves_far_beyond_the_picture_are_not_cut_into_lines() {
+    let started = Instant::now();
+    // The picture lies well inside of both circles; the second one is a clip path.
+    let clip = "<clipPath id='c'><circle cx='32' r='1e30'/></clipPath>";
+    for svg in
+        ["<circle cx='32' r='1e30'/>".to_owned(), format!("{clip}<rect width='64' height='64' clip-path='url(#c)'/>")]
+    {
+        let (picture, _) = draw(&page(&svg)).unwrap();
+        assert!(picture.pixels().iter().all(|pixel| *pixel == [0, 0, 0, 255]), "{svg}");
+    }
+    assert!(started.elapsed() < Duration::from_secs(5), "took {:?}", started.elapsed());
+}

@@ -149,6 +149,15 @@ impl<'a> EdgeBuilder<'a> {
         self.last = self.start;
     }
 
+    /// True if a box, in pixels, lies beside the picture. Above, below and right of it nothing changes a winding number
+    /// inside; left of it, all that counts is from which row to which row a line runs.
+    #[inline(always)]
+    pub(crate) fn is_out_of_sight(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        let [width, height] = self.size.map(f64::from);
+        // A pixel more than snapping could move.
+        high[0] < -1.0 || high[1] < -1.0 || low[0] > width + 1.0 || low[1] > height + 1.0
+    }
+
     #[inline(always)]
     fn segment(&mut self, a: Point, b: Point) {
         match (a.snapped, b.snapped) {

@@ -22,6 +22,10 @@ pub(crate) trait LineSink {
     fn close(&mut self);
     /// A curve begins (true) or ends (false): points in between are not corners.
     fn curve(&mut self, _begins: bool) {}
+    /// True if only the ends matter of a curve between these corners of a box.
+    fn is_out_of_sight(&self, _low: [f64; 2], _high: [f64; 2]) -> bool {
+        false
+    }
 }
 
 /// Sends the lines of `path`, transformed. Contours with a coordinate that is not finite are left out.
@@ -118,6 +122,9 @@ impl Walk<'_> {
 
     fn quad_to(&mut self, a: [f64; 2], end: [f64; 2], sink: &mut impl LineSink) {
         let p = self.last;
+        if is_out_of_sight(&[p, a, end], sink) {
+            return self.line_to(end, sink);
+        }
         let steps = steps(squared(second_difference(p, a, end)) * (0.25 * 0.25), self.tolerance);
         sink.curve(true);
         for i in 1..steps {
@@ -131,6 +138,9 @@ impl Walk<'_> {
 
     fn cubic_to(&mut self, a: [f64; 2], b: [f64; 2], end: [f64; 2], sink: &mut impl LineSink) {
         let p = self.last;
+        if is_out_of_sight(&[p, a, b, end], sink) {
+            return self.line_to(end, sink);
+        }
         let (first, second) = (squared(second_difference(p, a, b)), squared(second_difference(a, b, end)));
         let larger = if first > second { first } else { second };
         let steps = steps(larger * (0.75 * 0.75), self.tolerance);
@@ -146,6 +156,19 @@ impl Walk<'_> {
         sink.curve(false);
         self.line_to(end, sink);
     }
+}
+
+/// A curve lies within the box around its control points.
+#[inline(always)]
+fn is_out_of_sight(points: &[[f64; 2]], sink: &impl LineSink) -> bool {
+    let (mut low, mut high) = (points[0], points[0]);
+    for point in points {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
+        }
+    }
+    sink.is_out_of_sight(low, high)
 }
 
 /// `(p + r) - 2 q`.

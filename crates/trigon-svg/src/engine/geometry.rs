@@ -138,6 +138,11 @@ impl LineSink for EdgeBuilder<'_> {
     fn close(&mut self) {
         EdgeBuilder::close(self);
     }
+
+    #[inline(always)]
+    fn is_out_of_sight(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        EdgeBuilder::is_out_of_sight(self, low, high)
+    }
 }
 
 impl Chunk {
