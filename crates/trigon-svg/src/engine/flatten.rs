@@ -10,7 +10,11 @@ use crate::canvas::{Path, PathElement, Transform};
 pub(crate) const TOLERANCE: f64 = 0.05;
 
 /// Most lines that one curve is cut into.
-const MAX_STEPS: f64 = 4096.0;
+const MAX_STEPS: usize = 4096;
+
+/// Most lines that the curves of one path are cut into together; curves of paths that would need more get equal shares.
+/// Only paths that are mostly invisible reach it: four million lines of a pixel fill the largest picture.
+const MAX_PATH_LINES: usize = 1 << 22;
 
 /// Receives the lines of a path.
 pub(crate) trait LineSink {
@@ -30,8 +34,9 @@ pub(crate) trait LineSink {
 
 /// Sends the lines of `path`, transformed. Contours with a coordinate that is not finite are left out.
 pub(crate) fn flatten(path: &Path, transform: &Transform, tolerance: f64, sink: &mut impl LineSink) {
-    let mut walk = Walk { transform, tolerance, start: [0.0; 2], last: [0.0; 2], is_open: false };
     let elements = path.elements();
+    let max_steps = max_steps(elements);
+    let mut walk = Walk { transform, tolerance, max_steps, start: [0.0; 2], last: [0.0; 2], is_open: false };
     let mut index = 0;
     while index < elements.len() {
         let contour = contour_at(elements, index);
@@ -42,6 +47,13 @@ pub(crate) fn flatten(path: &Path, transform: &Transform, tolerance: f64, sink: 
         }
         index += contour.len();
     }
+}
+
+/// Most lines for each curve of a path.
+fn max_steps(elements: &[PathElement]) -> f64 {
+    let is_curve = |element: &&PathElement| matches!(element, PathElement::QuadTo(..) | PathElement::CubicTo(..));
+    let curves = elements.iter().filter(is_curve).count();
+    (MAX_PATH_LINES / curves.max(1)).clamp(1, MAX_STEPS) as f64
 }
 
 /// The elements from `index` on, up to the next move.
@@ -65,6 +77,7 @@ fn is_finite(element: &PathElement) -> bool {
 struct Walk<'a> {
     transform: &'a Transform,
     tolerance: f64,
+    max_steps: f64,
     start: [f64; 2],
     last: [f64; 2],
     /// False after a move or a close that nothing has followed yet: then the next line starts a contour.
@@ -125,7 +138,7 @@ impl Walk<'_> {
         if is_out_of_sight(&[p, a, end], sink) {
             return self.line_to(end, sink);
         }
-        let steps = steps(squared(second_difference(p, a, end)) * (0.25 * 0.25), self.tolerance);
+        let steps = steps(squared(second_difference(p, a, end)) * (0.25 * 0.25), self.tolerance, self.max_steps);
         sink.curve(true);
         for i in 1..steps {
             let (t, u) = (f64::from(i) / f64::from(steps), f64::from(steps - i) / f64::from(steps));
@@ -143,7 +156,7 @@ impl Walk<'_> {
         }
         let (first, second) = (squared(second_difference(p, a, b)), squared(second_difference(a, b, end)));
         let larger = if first > second { first } else { second };
-        let steps = steps(larger * (0.75 * 0.75), self.tolerance);
+        let steps = steps(larger * (0.75 * 0.75), self.tolerance, self.max_steps);
         sink.curve(true);
         for i in 1..steps {
             let (t, u) = (f64::from(i) / f64::from(steps), f64::from(steps - i) / f64::from(steps));
@@ -182,17 +195,18 @@ fn squared([x, y]: [f64; 2]) -> f64 {
     x * x + y * y
 }
 
-/// The smallest n with `bound / n^2 <= tolerance`, where `bound` is given squared; 1 to [`MAX_STEPS`].
+/// The smallest n with `bound / n^2 <= tolerance`, where `bound` is given squared; 1 to `max_steps`.
 #[inline(always)]
-fn steps(bound_squared: f64, tolerance: f64) -> u32 {
+fn steps(bound_squared: f64, tolerance: f64, max_steps: f64) -> u32 {
     let steps = (bound_squared.sqrt() / tolerance).sqrt();
-    if steps <= 1.0 {
-        1
-    } else if steps < MAX_STEPS {
+    if steps >= max_steps {
+        max_steps as u32
+    } else if steps > 1.0 {
         // The cast truncates; one more rounds up, and at most one line more than needed does no harm.
         steps as u32 + 1
     } else {
-        MAX_STEPS as u32
+        // NaN, too.
+        1
     }
 }
 
@@ -237,6 +251,29 @@ mod tests {
             let middle = [(pair[0][0] + pair[1][0]) / 2.0, (pair[0][1] + pair[1][1]) / 2.0];
             // Cubic circles are themselves up to 0.03 % off.
             assert!((squared(middle).sqrt() - 100.0).abs() < TOLERANCE + 0.03, "{middle:?}");
+        }
+    }
+
+    #[test]
+    fn the_lines_of_a_path_are_bounded() {
+        struct Count(usize);
+        impl LineSink for Count {
+            fn move_to(&mut self, _: [f64; 2]) {}
+            fn line_to(&mut self, _: [f64; 2]) {
+                self.0 += 1;
+            }
+            fn close(&mut self) {}
+        }
+        for curves in [1, 1000, 10_000] {
+            let mut path = Path::new();
+            path.move_to(0.0, 0.0);
+            for i in 0..curves {
+                let end = if i % 2 == 0 { 1e30 } else { 0.0 };
+                path.cubic_to(1e30, -1e30, -1e30, 1e30, end, end);
+            }
+            let mut count = Count(0);
+            flatten(&path, &Transform::IDENTITY, TOLERANCE, &mut count);
+            assert_eq!(count.0, curves * (MAX_PATH_LINES / curves).min(MAX_STEPS));
         }
     }
 

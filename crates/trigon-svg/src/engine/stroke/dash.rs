@@ -6,7 +6,7 @@
 use super::polyline::{Polyline, Vertex};
 use crate::canvas::Stroke;
 
-/// Most pieces that one contour is cut into; one that would have more is drawn solid.
+/// Most pieces that the contours of one path are cut into; one that would have more is drawn solid.
 const MAX_PIECES: f64 = 1_000_000.0;
 
 /// A valid dash pattern.
@@ -21,8 +21,15 @@ pub(super) struct Dashes {
 }
 
 impl Dashes {
-    /// The pattern of a stroke; `None` if it is solid.
-    pub(super) fn new(style: &Stroke) -> Option<Self> {
+    /// The pattern of a stroke along `lines`; `None` if it is solid.
+    pub(super) fn along(lines: &[Polyline], style: &Stroke) -> Option<Self> {
+        let dashes = Self::new(style)?;
+        let lengths = lines.iter().flat_map(Polyline::segments).map(|(a, b)| distance(a.point, b.point));
+        let periods = lengths.sum::<f64>() / dashes.period;
+        (periods * dashes.lengths.len() as f64 <= MAX_PIECES).then_some(dashes)
+    }
+
+    fn new(style: &Stroke) -> Option<Self> {
         let mut lengths: Vec<f64> = style.dashes.iter().map(|length| f64::from(*length)).collect();
         if lengths.len() % 2 == 1 {
             lengths.extend_from_within(..);
@@ -49,9 +56,7 @@ impl Dashes {
 
     /// Calls `draw` with each piece; `piece` is memory to work in.
     pub(super) fn cut(&self, line: &Polyline, piece: &mut Polyline, draw: &mut impl FnMut(&Polyline)) {
-        let total: f64 = line.segments().map(|(a, b)| distance(a.point, b.point)).sum();
-        let is_bounded = total / self.period * self.lengths.len() as f64 <= MAX_PIECES;
-        if !is_bounded || line.vertices.len() < 2 {
+        if line.vertices.len() < 2 {
             draw(line);
             return;
         }

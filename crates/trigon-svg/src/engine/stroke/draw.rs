@@ -18,7 +18,7 @@ pub(crate) fn stroke(path: &Path, style: &Stroke, transform: &Transform, sink: &
     flatten(path, &Transform::IDENTITY, tolerance, &mut polylines);
     let polylines = polylines.finish();
     let mut outliner = Outliner::new(style, tolerance, transform, sink);
-    match Dashes::new(style) {
+    match Dashes::along(&polylines, style) {
         None => polylines.iter().for_each(|line| outliner.draw(line)),
         Some(dashes) => {
             let mut piece = Polyline::default();

@@ -11,6 +11,9 @@ use crate::engine::flatten::LineSink;
 /// How often an arc is halved at most: a quarter of a circle of 16,000 px is then off by 0.02 px.
 const MAX_HALVINGS: u32 = 9;
 
+/// Most points that the arcs of one stroke have together; those after them are straight.
+const MAX_ARC_POINTS: u32 = 1 << 22;
+
 /// Draws strokes of one style.
 pub(super) struct Outliner<'a, S> {
     cap: Cap,
@@ -25,6 +28,8 @@ pub(super) struct Outliner<'a, S> {
     right: Vec<[f64; 2]>,
     /// The point on the line where the strip starts.
     start: [f64; 2],
+    /// Points that arcs may still have.
+    arc_points_left: u32,
 }
 
 /// A segment with its direction, of length 1.
@@ -53,7 +58,18 @@ impl<'a, S: LineSink> Outliner<'a, S> {
     pub(super) fn new(style: &Stroke, tolerance: f64, transform: &'a Transform, sink: &'a mut S) -> Self {
         let radius = f64::from(style.width) * 0.5;
         let (left, right) = (Vec::new(), Vec::new());
-        Self { cap: style.cap, join: style.join, radius, tolerance, transform, sink, left, right, start: [0.0; 2] }
+        Self {
+            cap: style.cap,
+            join: style.join,
+            radius,
+            tolerance,
+            transform,
+            sink,
+            left,
+            right,
+            start: [0.0; 2],
+            arc_points_left: MAX_ARC_POINTS,
+        }
     }
 
     /// Draws one polyline.
@@ -212,9 +228,10 @@ impl<'a, S: LineSink> Outliner<'a, S> {
     fn arc(&mut self, center: [f64; 2], from: [f64; 2], to: [f64; 2], halvings: u32) {
         // The sagitta of an arc of angle a is radius * (1 - cos(a / 2)), about radius * (1 - cos a) / 4.
         let is_flat = (1.0 - dot(from, to)) * self.radius <= 4.0 * self.tolerance;
-        if is_flat || halvings == MAX_HALVINGS {
+        if is_flat || halvings == MAX_HALVINGS || self.arc_points_left == 0 {
             return;
         }
+        self.arc_points_left -= 1;
         let middle = normalized(sum(from, to));
         self.arc(center, from, middle, halvings + 1);
         self.send_offset(center, middle, self.radius);
