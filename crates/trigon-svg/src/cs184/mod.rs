@@ -4,6 +4,7 @@
 //! there are elements of its own (`texture`, `textri`, `colortri`). Follows StoicLD/CS184 (2019) with the opacity of
 //! cmu462/DrawSVG; where both leave something undefined the nearest defined thing is done.
 
+mod cast;
 mod ears;
 mod element;
 mod number;

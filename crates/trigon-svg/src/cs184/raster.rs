@@ -4,6 +4,7 @@
 //! samples of a pixel; a triangle those that lie in it, edges included on every side.
 
 use super::Options;
+use super::cast::{to_f32, to_f64, to_usize};
 use super::primitive::{Color, Position, Primitive, TrianglePaint};
 use super::texture::Texture;
 
@@ -238,22 +239,6 @@ fn paint(sample: &mut [f32; 3], [r, g, b, a]: Color) {
             *below = *below * (1.0 - a) + above * a;
         }
     }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "pixels and samples are far below 2^53")]
-fn to_f64(n: usize) -> f64 {
-    n as f64
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "casts from float saturate")]
-#[expect(clippy::cast_sign_loss, reason = "casts from float saturate")]
-fn to_usize(x: f64) -> usize {
-    x as usize
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
-fn to_f32(x: f64) -> f32 {
-    x as f32
 }
 
 #[cfg(test)]

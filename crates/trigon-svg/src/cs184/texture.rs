@@ -3,6 +3,7 @@
 //! Each level is half the size of the one above, rounded down; along an axis of even size a texel is the mean of two, of
 //! odd size of three, weighted so that all count alike. Eight bits a channel at every level.
 
+use super::cast::{to_f32, to_f64, to_u8, to_usize};
 use trigon_image::Rgba8Image;
 
 use super::{LevelSampling, NearestRule, Options, PixelSampling};
@@ -137,28 +138,6 @@ fn taps(at: usize, n: usize) -> [(usize, f64); 3] {
 
 fn mix(a: Rgb, b: Rgb, t: f32) -> Rgb {
     std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "sides are below 2^32")]
-fn to_f64(n: usize) -> f64 {
-    n as f64
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "casts from float saturate")]
-#[expect(clippy::cast_sign_loss, reason = "casts from float saturate")]
-fn to_usize(x: f64) -> usize {
-    x as usize
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "casts from float saturate")]
-#[expect(clippy::cast_sign_loss, reason = "casts from float saturate")]
-fn to_u8(x: f64) -> u8 {
-    x as u8
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
-fn to_f32(x: f64) -> f32 {
-    x as f32
 }
 
 #[cfg(test)]
