@@ -145,7 +145,7 @@ impl VisibleTriangles {
                 }
             }
         }
-        self.make_wanted(l, input);
+        self.make_wanted(l, input, 0);
     }
 
     /// Makes the coefficients of every triangle from `first` on.
@@ -153,7 +153,7 @@ impl VisibleTriangles {
         for id in first..self.len() {
             self.want(id);
         }
-        self.make_wanted(l, input);
+        self.make_wanted(l, input, first);
     }
 
     #[inline(always)]
@@ -163,11 +163,11 @@ impl VisibleTriangles {
         }
     }
 
-    /// Sixteen triangles of one draw at a time, in order of their ids.
-    fn make_wanted<L: Lanes>(&mut self, l: L, input: &TileInput<'_>) {
+    /// Sixteen triangles of one draw at a time, in order of their ids; none is wanted before `first`.
+    fn make_wanted<L: Lanes>(&mut self, l: L, input: &TileInput<'_>, first: u32) {
         let mut ids = [0u32; LANES];
         let (mut count, mut draw) = (0, 0);
-        for id in 0..self.len() {
+        for id in first..self.len() {
             if self.slots[id as usize] != WANTED {
                 continue;
             }

@@ -2,8 +2,8 @@
 //!
 //! In: shaded fragments. Out: colours to resolve. Linear light, premultiplied.
 
-use crate::lanes::{LANES, Lanes, Rgba};
-use crate::raster::{BLOCK_PIXELS, GROUPS};
+use crate::lanes::{F32, LANES, Lanes, Rgba};
+use crate::raster::GROUPS;
 use crate::shade::{ColorGroup, FragmentList, Placement};
 use core::ops::{Add, Mul};
 
@@ -140,18 +140,10 @@ impl ColorBlock {
     pub(crate) fn sample_count(&self) -> usize {
         self.planes.len()
     }
-
-    /// Colour of sample `s` of a pixel.
-    #[must_use]
-    pub fn get(&self, s: usize, pixel: usize) -> [f32; 4] {
-        debug_assert!(pixel < BLOCK_PIXELS);
-        let plane = if self.is_per_sample { s } else { 0 };
-        self.planes[plane][pixel / LANES].map(|channel| channel[pixel % LANES])
-    }
 }
 
 #[inline(always)]
-fn lanes_of<L: Lanes>(l: L, group: &ColorGroup) -> [crate::lanes::F32<L>; 4] {
+fn lanes_of<L: Lanes>(l: L, group: &ColorGroup) -> [F32<L>; 4] {
     [l.f32_array(&group[0]), l.f32_array(&group[1]), l.f32_array(&group[2]), l.f32_array(&group[3])]
 }
 
