@@ -8,7 +8,7 @@ use std::path::Path;
 /// The widest line of a help page.
 const HELP_WIDTH: usize = 79;
 
-/// Draws 3D models to pictures on the CPU, bit for bit the same on every machine
+/// Draws 3D models and SVG to pictures on the CPU, bit for bit the same on every machine
 #[derive(Debug, Parser)]
 #[command(
     name = "trigon",

@@ -11,6 +11,7 @@ pub(super) const MAIN_EXAMPLES: &str = "\
 Examples:
   trigon model.obj -o picture.png
   trigon render model.obj -o picture.png --size hd1080 --samples 16
+  trigon render drawing.svg -o picture.png --width 1200
   trigon turntable model.obj -o spin.gif";
 
 pub(super) const RENDER_EXAMPLES: &str = "\
