@@ -3,12 +3,14 @@
 //! In: work items and one worker's memory per thread. Out: every item done once. Threads take the next item when they
 //! are free; no result depends on who does what, or when.
 
-use std::sync::Mutex;
+use core::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// The order in which tiles are drawn. It never changes a picture.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum TileOrder {
-    /// Tiles with most triangles first, so that no thread is left with a large one at the end.
+    /// Tiles with most triangles first, so that no thread is left with a large one at the end; equal ones column by
+    /// column, so that threads seldom write to the same rows at the same time.
     #[default]
     MostWorkFirst,
     /// Row by row.
@@ -31,9 +33,9 @@ where
         items.for_each(|item| work(first, item));
         return;
     }
-    let queue = Mutex::new(items);
+    let queue = Queue::new(items);
     let run = |worker: &mut W| {
-        while let Some(item) = next(&queue) {
+        while let Some(item) = queue.next() {
             work(worker, item);
         }
     };
@@ -45,19 +47,35 @@ where
     });
 }
 
-/// The next item; the lock is held only while it is taken.
-fn next<T>(queue: &Mutex<impl Iterator<Item = T>>) -> Option<T> {
-    // A worker that panicked has left the iterator whole; its panic surfaces when the scope ends.
-    queue.lock().unwrap_or_else(std::sync::PoisonError::into_inner).next()
+/// Items and the number of the first one that nobody has taken. Threads meet at the counter only: one lock around all
+/// items would make them sleep and wake each other for every empty tile.
+struct Queue<T> {
+    items: Vec<Mutex<Option<T>>>,
+    next: AtomicUsize,
 }
 
-/// Tile numbers in the order in which they are to be drawn; `cost` is each tile's number of triangles.
-pub(crate) fn tile_sequence(order: TileOrder, cost: &[u32]) -> Vec<u32> {
+impl<T> Queue<T> {
+    fn new(items: impl Iterator<Item = T>) -> Self {
+        Self { items: items.map(|item| Mutex::new(Some(item))).collect(), next: AtomicUsize::new(0) }
+    }
+
+    fn next(&self) -> Option<T> {
+        // Each number is handed out once, and what an item holds was written before the threads were started.
+        let item = self.items.get(self.next.fetch_add(1, Ordering::Relaxed))?;
+        item.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+}
+
+/// Tile numbers in the order in which they are to be drawn; `cost` is each tile's number of triangles, row by row in
+/// `columns`.
+pub(crate) fn tile_sequence(order: TileOrder, cost: &[u32], columns: u32) -> Vec<u32> {
     let mut tiles: Vec<u32> = (0..cost.len() as u32).collect();
     match order {
         TileOrder::Rows => {}
         TileOrder::RowsReversed => tiles.reverse(),
-        TileOrder::MostWorkFirst => tiles.sort_by_key(|&tile| core::cmp::Reverse(cost[tile as usize])),
+        TileOrder::MostWorkFirst => {
+            tiles.sort_by_key(|&tile| (core::cmp::Reverse(cost[tile as usize]), tile % columns));
+        }
         TileOrder::Scattered => tiles.sort_by_key(|&tile| tile.wrapping_mul(0x9E37_79B1).rotate_left(16)),
     }
     tiles
@@ -78,12 +96,12 @@ mod tests {
 
     #[test]
     fn sequences_are_permutations() {
-        let cost = [3, 0, 9, 9, 1];
+        let cost = [3, 0, 9, 0, 9, 0];
         for order in [TileOrder::MostWorkFirst, TileOrder::Rows, TileOrder::RowsReversed, TileOrder::Scattered] {
-            let mut tiles = tile_sequence(order, &cost);
+            let mut tiles = tile_sequence(order, &cost, 2);
             tiles.sort_unstable();
-            assert_eq!(tiles, [0, 1, 2, 3, 4]);
+            assert_eq!(tiles, [0, 1, 2, 3, 4, 5]);
         }
-        assert_eq!(tile_sequence(TileOrder::MostWorkFirst, &cost), [2, 3, 0, 4, 1]);
+        assert_eq!(tile_sequence(TileOrder::MostWorkFirst, &cost, 3), [4, 2, 0, 3, 1, 5]);
     }
 }

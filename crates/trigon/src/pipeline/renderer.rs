@@ -85,7 +85,7 @@ impl Renderer {
         let bands = PictureBands::new(picture);
         let input = TileInput { level: self.level, frame, draws, chunks };
         let columns = frame.width.div_ceil(TILE_SIZE as u32);
-        let order = tile_sequence(self.options.tile_order, &bins.cost);
+        let order = tile_sequence(self.options.tile_order, &bins.cost, columns);
         share(&mut self.tiles, order.into_iter(), |worker, tile| {
             let (column, row) = (tile % columns, tile / columns);
             worker.draw(&input, bins.segments(tile), column, row);
