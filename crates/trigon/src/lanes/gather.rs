@@ -2,6 +2,8 @@
 //!
 //! In: a slice and sixteen indices. Out: lanes. An index outside the slice reads zero: no panic, so that the compiler
 //! can drop what a kernel does not use.
+//!
+//! AVX-512 has an instruction for it; elsewhere sixteen loads are as fast or faster. Both read the same elements.
 
 use super::{F32, I32, LANES, Lanes, U32, Vec2, Vec3, Vec4};
 
@@ -63,24 +65,26 @@ fn fetch_components<const N: usize>(slice: &[[f32; N]], indices: &[u32; LANES]) 
     out
 }
 
+macro_rules! gather {
+    ($name:ident, $instruction:ident, $scalar:ident, $lanes:ident, $constructor:ident) => {
+        /// One element of `slice` per lane.
+        #[inline(always)]
+        pub fn $name(self, slice: &[$scalar]) -> $lanes<L> {
+            let l = self.token();
+            let index = self.to_array();
+            #[cfg(all(feature = "avx512", target_arch = "x86_64"))]
+            if let (fearless_simd::Level::Avx512(avx512), Ok(len)) = (l.level(), i32::try_from(slice.len())) {
+                return l.$constructor(&instruction::$instruction(avx512, slice, len, &index));
+            }
+            l.$constructor(&fetch_all(slice, &index))
+        }
+    };
+}
+
 impl<L: Lanes> U32<L> {
-    /// One float of `slice` per lane.
-    #[inline(always)]
-    pub fn gather_f32(self, slice: &[f32]) -> F32<L> {
-        self.token().f32_array(&fetch_all(slice, &self.to_array()))
-    }
-
-    /// One integer of `slice` per lane.
-    #[inline(always)]
-    pub fn gather_u32(self, slice: &[u32]) -> U32<L> {
-        self.token().u32_array(&fetch_all(slice, &self.to_array()))
-    }
-
-    /// One integer of `slice` per lane.
-    #[inline(always)]
-    pub fn gather_i32(self, slice: &[i32]) -> I32<L> {
-        self.token().i32_array(&fetch_all(slice, &self.to_array()))
-    }
+    gather!(gather_f32, f32, f32, F32, f32_array);
+    gather!(gather_u32, u32, u32, U32, u32_array);
+    gather!(gather_i32, i32, i32, I32, i32_array);
 
     /// One pair of `slice` per lane.
     #[inline(always)]
@@ -111,5 +115,78 @@ impl<L: Lanes> U32<L> {
             lanes[c] = self.token().f32_array(&components[c]);
         }
         lanes
+    }
+}
+
+/// The gather instructions of AVX-512. Their indices are signed and are not checked: lanes whose index is not below
+/// `len` are switched off.
+#[cfg(all(feature = "avx512", target_arch = "x86_64"))]
+#[expect(unsafe_code, reason = "an instruction that reads memory by address")]
+mod instruction {
+    use super::LANES;
+    use core::arch::x86_64::{
+        _mm512_cmplt_epu32_mask, _mm512_mask_i32gather_epi32, _mm512_mask_i32gather_ps, _mm512_set1_epi32,
+        _mm512_setzero_ps, _mm512_setzero_si512,
+    };
+    use fearless_simd::{SimdBase, SimdFrom, f32x16, i32x16, kernel, u32x16};
+
+    macro_rules! gather {
+        ($scalar:ident, $vector:ident, $zero:ident, $instruction:ident) => {
+            kernel!(
+                /// One element of `slice` per index, or zero; `len` is the slice's.
+                #[inline]
+                pub(super) fn $scalar(
+                    l: Avx512,
+                    slice: &[$scalar],
+                    len: i32,
+                    index: &[u32; LANES],
+                ) -> [$scalar; LANES] {
+                    let len = len.min(i32::try_from(slice.len()).unwrap_or(i32::MAX));
+                    let index = u32x16::load_array_ref(l, index).into();
+                    let inside = _mm512_cmplt_epu32_mask(index, _mm512_set1_epi32(len));
+                    // SAFETY: a lane reads only if its index is in 0..len, and `slice` has at least `len` elements
+                    // of the four bytes that the scale says.
+                    let values = unsafe { $instruction::<4>($zero(), inside, index, slice.as_ptr().cast()) };
+                    $vector::simd_from(l, values).to_array()
+                }
+            );
+        };
+    }
+
+    gather!(f32, f32x16, _mm512_setzero_ps, _mm512_mask_i32gather_ps);
+    gather!(i32, i32x16, _mm512_setzero_si512, _mm512_mask_i32gather_epi32);
+    gather!(u32, u32x16, _mm512_setzero_si512, _mm512_mask_i32gather_epi32);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::{SimdLevel, dispatch};
+
+    #[test]
+    fn elements_are_gathered_and_zero_outside() {
+        let values: Vec<u32> = (0..100).map(|i| i * 7 + 1).collect();
+        let floats: Vec<f32> = values.iter().map(|v| *v as f32 + 0.5).collect();
+        let integers: Vec<i32> = values.iter().map(|v| -v.cast_signed()).collect();
+        let index = [0, 99, 100, 101, u32::MAX, 1 << 31, (1 << 31) - 1, 50, 3, 3, 98, 200, 1 << 30, 7, 64, 16];
+        for level in SimdLevel::ALL.into_iter().filter(|level| level.is_available()) {
+            let token = level.to_level().expect("the level is available");
+            for len in [0, 1, 64, 100] {
+                let (u, f, i) = dispatch!(token, l => {
+                    let index = l.u32_array(&index);
+                    (
+                        index.gather_u32(&values[..len]).to_array(),
+                        index.gather_f32(&floats[..len]).to_array(),
+                        index.gather_i32(&integers[..len]).to_array(),
+                    )
+                });
+                for (lane, at) in index.iter().enumerate() {
+                    let at = usize::try_from(*at).expect("an index fits").min(len);
+                    assert_eq!(u[lane], values[..len].get(at).copied().unwrap_or(0), "at {level}");
+                    assert_eq!(f[lane], floats[..len].get(at).copied().unwrap_or(0.0), "at {level}");
+                    assert_eq!(i[lane], integers[..len].get(at).copied().unwrap_or(0), "at {level}");
+                }
+            }
+        }
     }
 }

@@ -13,7 +13,12 @@ pub(crate) type Quad = [f32; 4];
 /// Column `c` holds number `c` of each record.
 #[inline(always)]
 pub(crate) fn columns<L: Lanes>(l: L, records: &[&Quad; LANES]) -> [F32<L>; 4] {
-    let [a, b, c, d] = [four(l, records, 0), four(l, records, 4), four(l, records, 8), four(l, records, 12)];
+    transposed(l, [four(l, records, 0), four(l, records, 4), four(l, records, 8), four(l, records, 12)])
+}
+
+/// Column `c` holds number `c` of each of the sixteen quads in four registers.
+#[inline(always)]
+pub(super) fn transposed<L: Lanes>(l: L, [a, b, c, d]: [f32x16<L>; 4]) -> [F32<L>; 4] {
     let (even, odd) = (l.unzip_low_f32x16(a, b), l.unzip_high_f32x16(a, b));
     let (even_high, odd_high) = (l.unzip_low_f32x16(c, d), l.unzip_high_f32x16(c, d));
     [

@@ -114,9 +114,9 @@ fn fetch_pixels<L: Lanes, T: FourChannels>(l: L, texels: &[T], index: &[u32; LAN
         for (pixel, index) in pixels.iter_mut().zip(&index[4 * group..4 * group + 4]) {
             *pixel = fetch(texels, *index).decode(l);
         }
-        columns.set_group(l, group, pixels);
+        columns.set_group(group, pixels);
     }
-    scale::<L, T>(columns.to_lanes())
+    scale::<L, T>(columns.to_lanes(l))
 }
 
 #[inline(always)]
@@ -134,9 +134,9 @@ fn mix_pixels<L: Lanes, T: FourChannels>(l: L, texels: &[T], quad: &TexelQuad<L>
             let low = fetch(texels, index[2][lane]).decode(l).mix(fetch(texels, index[3][lane]).decode(l), t);
             *pixel = top.mix(low, Channels::splat(l, bottom[lane]));
         }
-        columns.set_group(l, group, pixels);
+        columns.set_group(group, pixels);
     }
-    scale::<L, T>(columns.to_lanes())
+    scale::<L, T>(columns.to_lanes(l))
 }
 
 #[inline(always)]
