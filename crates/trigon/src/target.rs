@@ -140,17 +140,32 @@ pub enum ShadingRate {
 }
 
 /// One value per pixel, row 0 at the top; with `planes` > 1, one picture per sample, one after the other.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 pub struct Plane<T> {
     width: u32,
     height: u32,
-    values: Vec<T>,
+    /// The values from `start` on, where a cache line begins: rows are written by whole lines.
+    storage: Vec<T>,
+    start: usize,
+}
+
+/// Bytes of a cache line.
+const LINE: usize = 64;
+
+impl<T: Copy + PartialEq> PartialEq for Plane<T> {
+    fn eq(&self, other: &Self) -> bool {
+        (self.width, self.height, self.values()) == (other.width, other.height, other.values())
+    }
 }
 
 impl<T: Copy> Plane<T> {
     /// A picture of `width` x `height` values, all `value`; `planes` of them one after the other.
     pub(crate) fn new(width: u32, height: u32, planes: usize, value: T) -> Self {
-        Self { width, height, values: vec![value; width as usize * height as usize * planes] }
+        let len = width as usize * height as usize * planes;
+        let mut storage = vec![value; len + LINE];
+        let start = storage.as_ptr().align_offset(LINE).min(LINE);
+        storage.truncate(start + len);
+        Self { width, height, storage, start }
     }
 
     /// Pixels in a row.
@@ -168,24 +183,25 @@ impl<T: Copy> Plane<T> {
     /// The values: `[plane][y][x]`.
     #[must_use]
     pub fn values(&self) -> &[T] {
-        &self.values
+        &self.storage[self.start..]
     }
 
     /// The values, to take or change.
     #[must_use]
-    pub fn into_values(self) -> Vec<T> {
-        self.values
+    pub fn into_values(mut self) -> Vec<T> {
+        self.storage.drain(..self.start);
+        self.storage
     }
 
     /// The value at (`x`, `y`) of the first plane; `None` outside.
     #[must_use]
     pub fn get(&self, x: u32, y: u32) -> Option<T> {
         let inside = x < self.width && y < self.height;
-        inside.then(|| self.values[y as usize * self.width as usize + x as usize])
+        inside.then(|| self.values()[y as usize * self.width as usize + x as usize])
     }
 
     /// The values, to change in place.
     pub fn values_mut(&mut self) -> &mut [T] {
-        &mut self.values
+        &mut self.storage[self.start..]
     }
 }

@@ -16,6 +16,7 @@ mod int;
 mod level;
 mod mask;
 mod records;
+mod stream;
 mod token;
 mod vector;
 
@@ -31,3 +32,4 @@ pub(crate) use channels::{Channels, PixelColumns};
 pub(crate) use gather::fetch;
 pub(crate) use level::{dispatch, outline};
 pub(crate) use records::{Quad, columns, store_records};
+pub(crate) use stream::{Plain, finish_lines, store_lines};

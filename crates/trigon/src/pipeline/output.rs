@@ -1,11 +1,11 @@
-//! Images of a frame, and how finished tiles get into them.
+//! Images of a frame, and how tiles get into them.
 //!
-//! In: a tile's pixels. Out: rows of the caller's images. The images are split into bands of 64 rows, each behind a
-//! lock that a tile holds only while it copies its own rows; no two tiles share a pixel.
+//! In: a tile's pixels, which one thread has gathered in memory of its own. Out: pieces of rows of the caller's images.
+//! No two tiles share a pixel, so the pieces are handed out as `&mut` and threads need no lock.
 
 use super::draw::{Frame, Outputs};
+use crate::lanes::{Plain, finish_lines, store_lines};
 use crate::target::{Plane, TILE_SIZE};
-use std::sync::{Mutex, PoisonError};
 
 /// The images of a frame: those that [`Outputs`] asked for. Reused from frame to frame where sizes agree.
 #[derive(Default, Debug)]
@@ -76,7 +76,7 @@ impl<T: Copy> TilePlane<T> {
 }
 
 /// Pixels of one tile in every image of the frame; empty where an image is not wanted.
-pub(crate) struct TileImages {
+pub(crate) struct TilePixels {
     pub(crate) color: TilePlane<[u8; 4]>,
     pub(crate) color_f32: TilePlane<[f32; 4]>,
     pub(crate) depth: TilePlane<f32>,
@@ -87,7 +87,7 @@ pub(crate) struct TileImages {
     pub(crate) uv: TilePlane<[f32; 2]>,
 }
 
-impl TileImages {
+impl TilePixels {
     pub(crate) fn new(outputs: Outputs, samples: usize) -> Self {
         let planes = if outputs.per_sample { samples } else { 1 };
         Self {
@@ -103,83 +103,83 @@ impl TileImages {
     }
 }
 
-/// An image as rows of tiles, each behind its lock.
-struct Bands<'a, T> {
-    /// `[plane][band]`.
-    bands: Vec<Mutex<&'a mut [T]>>,
-    per_plane: usize,
-    width: usize,
-}
+/// One tile's part of an image: its pieces of rows, plane after plane. None where the image is not wanted.
+struct TileRows<'a, T>(Vec<&'a mut [T]>);
 
-impl<'a, T: Copy> Bands<'a, T> {
-    fn new(plane: Option<&'a mut Plane<T>>) -> Option<Self> {
-        let plane = plane?;
-        let (width, height) = (plane.width() as usize, plane.height() as usize);
-        let picture = width * height;
-        let bands = plane
-            .values_mut()
-            .chunks_mut(picture)
-            .flat_map(|rows| rows.chunks_mut(width * TILE_SIZE))
-            .map(Mutex::new)
-            .collect();
-        Some(Self { bands, per_plane: height.div_ceil(TILE_SIZE), width })
-    }
-
-    /// Copies a tile's pixels to where they belong.
-    fn store(&self, column: usize, row: usize, tile: &TilePlane<T>) {
-        let x = column * TILE_SIZE;
-        let columns = (self.width - x).min(TILE_SIZE);
-        for (plane, pixels) in tile.values.chunks(TILE_SIZE * TILE_SIZE).enumerate() {
-            let band = &self.bands[plane * self.per_plane + row];
-            let mut rows = band.lock().unwrap_or_else(PoisonError::into_inner);
-            for (to, from) in rows.chunks_mut(self.width).zip(pixels.chunks(TILE_SIZE)) {
-                to[x..x + columns].copy_from_slice(&from[..columns]);
-            }
+impl<T: Plain> TileRows<'_, T> {
+    /// Copies a tile's pixels to where they belong. `height` is the number of rows that the picture has of it.
+    fn store(mut self, height: usize, tile: &TilePlane<T>) {
+        let planes = self.0.chunks_mut(height).zip(tile.values.chunks(TILE_SIZE * TILE_SIZE));
+        for (to, from) in planes.flat_map(|(to, from)| to.iter_mut().zip(from.chunks(TILE_SIZE))) {
+            store_lines(to, from);
         }
     }
 }
 
-/// Every image of a frame, ready to receive tiles from any thread.
-pub(crate) struct PictureBands<'a> {
-    color: Option<Bands<'a, [u8; 4]>>,
-    color_f32: Option<Bands<'a, [f32; 4]>>,
-    depth: Option<Bands<'a, f32>>,
-    primitive: Option<Bands<'a, u32>>,
-    object: Option<Bands<'a, u32>>,
-    normal: Option<Bands<'a, [f32; 3]>>,
-    position: Option<Bands<'a, [f32; 3]>>,
-    uv: Option<Bands<'a, [f32; 2]>>,
+/// One tile's part of every image of the frame.
+pub(crate) struct TileOfPicture<'a> {
+    color: TileRows<'a, [u8; 4]>,
+    color_f32: TileRows<'a, [f32; 4]>,
+    depth: TileRows<'a, f32>,
+    primitive: TileRows<'a, u32>,
+    object: TileRows<'a, u32>,
+    normal: TileRows<'a, [f32; 3]>,
+    position: TileRows<'a, [f32; 3]>,
+    uv: TileRows<'a, [f32; 2]>,
+    height: usize,
 }
 
-impl<'a> PictureBands<'a> {
-    pub(crate) fn new(picture: &'a mut Picture) -> Self {
-        Self {
-            color: Bands::new(picture.color.as_mut()),
-            color_f32: Bands::new(picture.color_f32.as_mut()),
-            depth: Bands::new(picture.depth.as_mut()),
-            primitive: Bands::new(picture.primitive.as_mut()),
-            object: Bands::new(picture.object.as_mut()),
-            normal: Bands::new(picture.normal.as_mut()),
-            position: Bands::new(picture.position.as_mut()),
-            uv: Bands::new(picture.uv.as_mut()),
+impl<'a> TileOfPicture<'a> {
+    /// The parts of every tile, row of tiles by row of tiles.
+    pub(crate) fn of_picture(picture: &'a mut Picture, frame: &Frame) -> impl Iterator<Item = Self> {
+        let size = [frame.width as usize, frame.height as usize];
+        let [columns, bands] = size.map(|side| side.div_ceil(TILE_SIZE));
+        let Picture { color, color_f32, depth, primitive, object, normal, position, uv } = picture;
+        let mut colors = tile_rows(color.as_mut(), size).zip(tile_rows(color_f32.as_mut(), size));
+        let mut ids = tile_rows(primitive.as_mut(), size).zip(tile_rows(object.as_mut(), size));
+        let mut depths = tile_rows(depth.as_mut(), size).zip(tile_rows(uv.as_mut(), size));
+        let mut vectors = tile_rows(normal.as_mut(), size).zip(tile_rows(position.as_mut(), size));
+        (0..bands * columns).map_while(move |tile| {
+            let height = (size[1] - tile / columns * TILE_SIZE).min(TILE_SIZE);
+            let ((color, color_f32), (primitive, object)) = (colors.next()?, ids.next()?);
+            let ((depth, uv), (normal, position)) = (depths.next()?, vectors.next()?);
+            Some(Self { color, color_f32, depth, primitive, object, normal, position, uv, height })
+        })
+    }
+
+    /// Copies the tile into every image.
+    pub(crate) fn store(self, tile: &TilePixels) {
+        let height = self.height;
+        self.color.store(height, &tile.color);
+        self.color_f32.store(height, &tile.color_f32);
+        self.depth.store(height, &tile.depth);
+        self.primitive.store(height, &tile.primitive);
+        self.object.store(height, &tile.object);
+        self.normal.store(height, &tile.normal);
+        self.position.store(height, &tile.position);
+        self.uv.store(height, &tile.uv);
+        finish_lines();
+    }
+}
+
+/// Every tile's rows of an image, row of tiles by row of tiles.
+fn tile_rows<T: Copy>(
+    image: Option<&mut Plane<T>>,
+    [width, height]: [usize; 2],
+) -> std::vec::IntoIter<TileRows<'_, T>> {
+    let [columns, bands] = [width, height].map(|side| side.div_ceil(TILE_SIZE));
+    let Some(image) = image else {
+        let none: Vec<_> = (0..bands * columns).map(|_| TileRows(Vec::new())).collect();
+        return none.into_iter();
+    };
+    let planes = image.values().len() / (width * height);
+    let mut tiles: Vec<TileRows<'_, T>> =
+        (0..bands * columns).map(|_| TileRows(Vec::with_capacity(planes * TILE_SIZE))).collect();
+    for (y, row) in image.values_mut().chunks_mut(width).enumerate() {
+        let first = y % height / TILE_SIZE * columns;
+        for (tile, piece) in tiles[first..].iter_mut().zip(row.chunks_mut(TILE_SIZE)) {
+            tile.0.push(piece);
         }
     }
-
-    /// Copies the tile at (`column`, `row`) into every image.
-    pub(crate) fn store(&self, column: usize, row: usize, tile: &TileImages) {
-        store(self.color.as_ref(), column, row, &tile.color);
-        store(self.color_f32.as_ref(), column, row, &tile.color_f32);
-        store(self.depth.as_ref(), column, row, &tile.depth);
-        store(self.primitive.as_ref(), column, row, &tile.primitive);
-        store(self.object.as_ref(), column, row, &tile.object);
-        store(self.normal.as_ref(), column, row, &tile.normal);
-        store(self.position.as_ref(), column, row, &tile.position);
-        store(self.uv.as_ref(), column, row, &tile.uv);
-    }
-}
-
-fn store<T: Copy>(bands: Option<&Bands<'_, T>>, column: usize, row: usize, tile: &TilePlane<T>) {
-    if let Some(bands) = bands {
-        bands.store(column, row, tile);
-    }
+    tiles.into_iter()
 }

@@ -4,7 +4,7 @@
 //! stage, on any thread; then every tile is drawn, on any thread; each tile reads the chunks in submission order.
 
 use super::draw::{Draw, Frame, FrameError, FrameStatistics};
-use super::output::{Picture, PictureBands};
+use super::output::{Picture, TileOfPicture};
 use super::tile::{TileInput, TileWorker};
 use crate::clock::Stopwatch;
 use crate::geometry::{CHUNK_PRIMITIVES, Chunk, ChunkInput, ChunkScratch, Segment, Viewport, process_chunk};
@@ -82,14 +82,13 @@ impl Renderer {
         let chunks = &self.chunks[..tasks.len()];
         let bins = TileBins::new(frame, chunks);
         self.tiles.resize_with(threads, TileWorker::default);
-        let bands = PictureBands::new(picture);
+        let mut parts: Vec<_> = TileOfPicture::of_picture(picture, frame).map(Some).collect();
         let input = TileInput { level: self.level, frame, draws, chunks };
         let columns = frame.width.div_ceil(TILE_SIZE as u32);
-        let order = tile_sequence(self.options.tile_order, &bins.cost, columns);
-        share(&mut self.tiles, order.into_iter(), |worker, tile| {
-            let (column, row) = (tile % columns, tile / columns);
-            worker.draw(&input, bins.segments(tile), column, row);
-            bands.store(column as usize, row as usize, worker.images());
+        let order = tile_sequence(self.options.tile_order, &bins.cost);
+        let work = order.into_iter().filter_map(|tile| Some((tile, parts[tile as usize].take()?)));
+        share(&mut self.tiles, work, |worker, (tile, part)| {
+            worker.draw(&input, bins.segments(tile), [tile % columns, tile / columns], part);
         });
         let mut statistics = FrameStatistics {
             tiles: bins.cost.len() as u64,

@@ -3,7 +3,7 @@
 //! In: which triangle every sample shows. Out: colours of blocks. A fragment is a pixel and a triangle with all the
 //! samples at which the pixel shows it; the fragments of a block and a draw are shaded by one call.
 
-use super::output::TileImages;
+use super::output::TilePixels;
 use super::tile::TileInput;
 use super::visible::VisibleTriangles;
 use crate::lanes::{LANES, Lanes, U32};
@@ -233,7 +233,7 @@ impl Shading {
 
     /// Writes the outputs beside colour of an expanded block.
     #[inline(always)]
-    pub(crate) fn beside_color<L: Lanes>(&mut self, l: L, view: TileView<'_>, images: &mut TileImages) {
+    pub(crate) fn beside_color<L: Lanes>(&mut self, l: L, view: TileView<'_>, pixels: &mut TilePixels) {
         let outputs = view.input.frame.outputs;
         let planes = if outputs.per_sample { view.tile.sample_count() } else { 1 };
         for plane in 0..planes {
@@ -241,28 +241,28 @@ impl Shading {
                 let s = if outputs.per_sample { plane } else { nearest_sample(view.tile, view.b, pixel) };
                 let id = view.tile.block_ids(view.b, s)[pixel];
                 let (x, y) = pixel_in_tile(view.b, pixel);
-                images.depth.set(plane, x, y, view.tile.block_depth(view.b, s)[pixel]);
+                pixels.depth.set(plane, x, y, view.tile.block_depth(view.b, s)[pixel]);
                 let (primitive, object) = if id == NO_TRIANGLE {
                     (u32::MAX, u32::MAX)
                 } else {
                     let draw = &view.input.draws[view.visible.draw_number(id) as usize];
                     (view.visible.lookup(view.input).get(id).primitive, draw.object)
                 };
-                images.primitive.set(plane, x, y, primitive);
-                images.object.set(plane, x, y, object);
-                images.normal.set(plane, x, y, [0.0; 3]);
-                images.position.set(plane, x, y, [0.0; 3]);
-                images.uv.set(plane, x, y, [0.0; 2]);
+                pixels.primitive.set(plane, x, y, primitive);
+                pixels.object.set(plane, x, y, object);
+                pixels.normal.set(plane, x, y, [0.0; 3]);
+                pixels.position.set(plane, x, y, [0.0; 3]);
+                pixels.uv.set(plane, x, y, [0.0; 2]);
             }
             if outputs.any_surface() {
-                self.surfaces(l, view, plane, images);
+                self.surfaces(l, view, plane, pixels);
             }
         }
     }
 
     /// Surfaces of one plane of the outputs, draw by draw.
     #[inline(always)]
-    fn surfaces<L: Lanes>(&mut self, l: L, view: TileView<'_>, plane: usize, images: &mut TileImages) {
+    fn surfaces<L: Lanes>(&mut self, l: L, view: TileView<'_>, plane: usize, pixels: &mut TilePixels) {
         let mut draw = 0;
         while draw != NO_DRAW {
             let next = self.list_nearest(l, view, plane, draw);
@@ -276,9 +276,9 @@ impl Shading {
                 for lane in 0..count {
                     let (x, y) = pixel_in_tile(view.b, self.list.destination(first + lane).pixel());
                     let s = surface.each_ref();
-                    images.position.set(plane, x, y, [s[0][lane], s[1][lane], s[2][lane]]);
-                    images.normal.set(plane, x, y, [s[3][lane], s[4][lane], s[5][lane]]);
-                    images.uv.set(plane, x, y, [s[6][lane], s[7][lane]]);
+                    pixels.position.set(plane, x, y, [s[0][lane], s[1][lane], s[2][lane]]);
+                    pixels.normal.set(plane, x, y, [s[3][lane], s[4][lane], s[5][lane]]);
+                    pixels.uv.set(plane, x, y, [s[6][lane], s[7][lane]]);
                 }
             }
             draw = next;

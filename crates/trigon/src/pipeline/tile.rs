@@ -4,7 +4,7 @@
 //! depth and number; what is visible is shaded when a draw needs the colours beneath it, or at the end.
 
 use super::draw::{Draw, Frame};
-use super::output::TileImages;
+use super::output::{TileOfPicture, TilePixels};
 use super::shading::{Shading, TileView};
 use super::visible::VisibleTriangles;
 use crate::geometry::{Chunk, Segment, Tags};
@@ -36,14 +36,20 @@ struct TileState {
     shading: Shading,
     /// One block, or one per block of the tile where draws are ordered.
     colors: Vec<ColorBlock>,
-    images: TileImages,
+    pixels: TilePixels,
     samples: &'static [[i16; 2]],
     outputs: super::draw::Outputs,
 }
 
 impl TileWorker {
-    /// Draws the tile at (`column`, `row`).
-    pub(crate) fn draw(&mut self, input: &TileInput<'_>, segments: &[(u32, Segment)], column: u32, row: u32) {
+    /// Draws the tile at (`column`, `row`) and stores it in its part of the picture.
+    pub(crate) fn draw(
+        &mut self,
+        input: &TileInput<'_>,
+        segments: &[(u32, Segment)],
+        [column, row]: [u32; 2],
+        tile_of_picture: TileOfPicture<'_>,
+    ) {
         let frame = input.frame;
         let samples = frame.samples.positions();
         let fits = |s: &TileState| s.samples == samples && s.outputs == frame.outputs;
@@ -53,14 +59,7 @@ impl TileWorker {
         if let Some(state) = &mut self.state {
             state.tile.clear([(column as usize * TILE_SIZE) as i32, (row as usize * TILE_SIZE) as i32], 0.0);
             dispatch!(input.level, l => draw_tile(l, state, input, segments));
-        }
-    }
-
-    /// The pixels of the last tile drawn.
-    pub(crate) fn images(&self) -> &TileImages {
-        match &self.state {
-            Some(state) => &state.images,
-            None => unreachable!("a tile is stored after it is drawn"),
+            tile_of_picture.store(&state.pixels);
         }
     }
 }
@@ -73,7 +72,7 @@ impl TileState {
             visible: VisibleTriangles::default(),
             shading: Shading::new(samples),
             colors: Vec::new(),
-            images: TileImages::new(frame.outputs, samples.len()),
+            pixels: TilePixels::new(frame.outputs, samples.len()),
             samples,
             outputs: frame.outputs,
         }
@@ -227,47 +226,47 @@ fn finish_colors<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, k
         let to = if keeps_colors { b } else { 0 };
         if !keeps_colors {
             if state.tile.state(b) == BlockState::Clear {
-                clear_block(&mut state.images, b, clear, input.frame.clear);
+                clear_block(&mut state.pixels, b, clear, input.frame.clear);
                 continue;
             }
             state.colors[to].clear(input.frame.clear);
         }
         shade_block(l, state, input, b, to);
-        store_block(l, &state.colors[to], &mut state.images, b);
+        store_block(l, &state.colors[to], &mut state.pixels, b);
     }
 }
 
 /// Writes the clear colour to a block's pixels.
-fn clear_block(images: &mut TileImages, b: usize, color: [u8; 4], linear: [f32; 4]) {
+fn clear_block(pixels: &mut TilePixels, b: usize, color: [u8; 4], linear: [f32; 4]) {
     let first = b / BLOCKS_PER_SIDE * BLOCK_SIZE * TILE_SIZE + b % BLOCKS_PER_SIDE * BLOCK_SIZE;
     for at in (first..).step_by(TILE_SIZE).take(BLOCK_SIZE) {
-        if let Some(row) = images.color.values.get_mut(at..at + BLOCK_SIZE) {
+        if let Some(row) = pixels.color.values.get_mut(at..at + BLOCK_SIZE) {
             row.fill(color);
         }
-        if let Some(row) = images.color_f32.values.get_mut(at..at + BLOCK_SIZE) {
+        if let Some(row) = pixels.color_f32.values.get_mut(at..at + BLOCK_SIZE) {
             row.fill(linear);
         }
     }
 }
 
-/// Writes a block's pixels to the tile's colour images.
+/// Writes a block's pixels to the tile's colour pixels.
 #[inline(always)]
-fn store_block<L: Lanes>(l: L, colors: &ColorBlock, images: &mut TileImages, b: usize) {
+fn store_block<L: Lanes>(l: L, colors: &ColorBlock, pixels: &mut TilePixels, b: usize) {
     let (x, y) = (b % BLOCKS_PER_SIDE * BLOCK_SIZE, b / BLOCKS_PER_SIDE * BLOCK_SIZE);
     for g in 0..BLOCK_SIZE * BLOCK_SIZE / LANES {
         let color = resolve(l, colors, g);
         let at = (y + 2 * g) * TILE_SIZE + x;
-        if !images.color.values.is_empty() {
-            let pixels = encode_srgb8(l, color);
-            images.color.values[at..at + BLOCK_SIZE].copy_from_slice(&pixels[..BLOCK_SIZE]);
+        if !pixels.color.values.is_empty() {
+            let encoded = encode_srgb8(l, color);
+            pixels.color.values[at..at + BLOCK_SIZE].copy_from_slice(&encoded[..BLOCK_SIZE]);
             let at = at + TILE_SIZE;
-            images.color.values[at..at + BLOCK_SIZE].copy_from_slice(&pixels[BLOCK_SIZE..]);
+            pixels.color.values[at..at + BLOCK_SIZE].copy_from_slice(&encoded[BLOCK_SIZE..]);
         }
-        if !images.color_f32.values.is_empty() {
+        if !pixels.color_f32.values.is_empty() {
             let [r, g, b, a] = [color.r.to_array(), color.g.to_array(), color.b.to_array(), color.a.to_array()];
             for i in 0..LANES {
                 let at = at + i / BLOCK_SIZE * TILE_SIZE + i % BLOCK_SIZE;
-                images.color_f32.values[at] = [r[i], g[i], b[i], a[i]];
+                pixels.color_f32.values[at] = [r[i], g[i], b[i], a[i]];
             }
         }
     }
@@ -278,7 +277,7 @@ fn store_block<L: Lanes>(l: L, colors: &ColorBlock, images: &mut TileImages, b: 
 fn beside_color<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>) {
     for b in 0..BLOCKS {
         state.tile.expand(l, b, &state.visible.lookup(input));
-        let TileState { tile, visible, shading, images, .. } = &mut *state;
-        outline!(l => shading.beside_color(l, TileView { input, tile, visible, b }, images));
+        let TileState { tile, visible, shading, pixels, .. } = &mut *state;
+        outline!(l => shading.beside_color(l, TileView { input, tile, visible, b }, pixels));
     }
 }
