@@ -3,7 +3,9 @@
 /// The shape of a stroke, in the units of the path (before its transform).
 #[derive(Clone, PartialEq, Debug)]
 pub struct Stroke {
-    /// Width, centred on the path. A stroke of width 0, negative or not finite draws nothing.
+    /// Width, centred on the path. A stroke of width 0, negative or not finite draws nothing. One that is thinner
+    /// than two columns of samples after the transform (half a pixel with 16 samples, at most a pixel) is drawn so wide,
+    /// and fainter by as much: a line without gaps.
     pub width: f32,
     /// The form of open ends.
     pub cap: Cap,

@@ -9,6 +9,7 @@ use super::geometry::{Geometry, Outlined};
 use super::program::{Clip, MaskProgram, Program, Step, Tables};
 use super::samples::SampleRows;
 use super::shader::{Gradient, ImageShader, Shader, Tile};
+use super::stroke::Hairline;
 use crate::canvas::{
     BlendMode, ClipPath, Filter, Item, Layer, LayerImage, Mask, Outline, Paint, Pattern, Renderer, Shape, Transform,
 };
@@ -20,6 +21,8 @@ static NON_ZERO: Outline = Outline::Fill(crate::canvas::FillRule::NonZero);
 /// Collects what steps refer to.
 pub(crate) struct Compiler<'a> {
     renderer: &'a Renderer,
+    /// Samples in a pixel.
+    samples: usize,
     /// Pixels drawn, from pixels of the drawing.
     base: Transform,
     depth: u32,
@@ -41,6 +44,7 @@ pub(crate) fn compile(
 ) -> (Program, Tables) {
     let mut compiler = Compiler {
         renderer,
+        samples: samples.count(),
         base,
         depth,
         shapes: Vec::new(),
@@ -115,13 +119,18 @@ impl<'a> Compiler<'a> {
     }
 
     fn shape(&mut self, shape: &'a Shape, opacity: f32, blend: BlendMode, steps: &mut Vec<Step>) {
-        let opacity = unit(shape.opacity) * opacity;
         let transform = self.base * shape.transform;
+        let hairline = match &shape.outline {
+            Outline::Fill(_) => None,
+            Outline::Stroke(style) => Hairline::of(style, &transform, self.samples),
+        };
+        let faintness = hairline.as_ref().map_or(1.0, |hairline| hairline.opacity as f32);
+        let opacity = unit(shape.opacity) * opacity * faintness;
         let Some(shader) = self.shader(&shape.paint, &transform, opacity) else { return };
         if shader.is_nothing() {
             return;
         }
-        self.shapes.push(Outlined { path: &shape.path, outline: &shape.outline, transform });
+        self.shapes.push(Outlined { path: &shape.path, outline: &shape.outline, hairline, transform });
         self.shaders.push(shader);
         let (shape_number, shader) = (self.shapes.len() - 1, self.shaders.len() - 1);
         steps.push(Step::Fill { shape: shape_number, rule: shape.outline.rule(), shader, blend });
@@ -178,7 +187,7 @@ impl<'a> Compiler<'a> {
             for shape in &clip.shapes {
                 let own = shape.clip.as_deref().map(|clip| self.clip(clip, depth + 1));
                 let transform = self.base * shape.transform;
-                self.shapes.push(Outlined { path: &shape.path, outline: &NON_ZERO, transform });
+                self.shapes.push(Outlined { path: &shape.path, outline: &NON_ZERO, hairline: None, transform });
                 shapes.push((self.shapes.len() - 1, shape.rule, own));
             }
             intersect = clip.intersect.as_deref().map(|clip| self.clip(clip, depth + 1));

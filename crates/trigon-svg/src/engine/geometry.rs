@@ -7,7 +7,7 @@ use super::coverage::{BAND_ROWS, Bounds};
 use super::edge::{Edge, EdgeBuilder};
 use super::flatten::{LineSink, TOLERANCE, flatten};
 use super::samples::SampleRows;
-use super::stroke;
+use super::stroke::{self, Hairline};
 use crate::canvas::{FillRule, Outline, Path, Transform};
 use std::ops::Range;
 
@@ -18,6 +18,8 @@ const CHUNK: usize = 64;
 pub(crate) struct Outlined<'a> {
     pub(crate) path: &'a Path,
     pub(crate) outline: &'a Outline,
+    /// Set if the outline is too thin a stroke to be drawn as it is.
+    pub(crate) hairline: Option<Hairline>,
     /// Pixels from path space.
     pub(crate) transform: Transform,
 }
@@ -111,7 +113,9 @@ fn build(shape: &Outlined<'_>, builder: &mut EdgeBuilder<'_>) {
     }
     match shape.outline {
         Outline::Fill(_) => flatten(shape.path, &shape.transform, TOLERANCE, builder),
-        Outline::Stroke(style) => stroke::stroke(shape.path, style, &shape.transform, builder),
+        Outline::Stroke(style) => {
+            stroke::stroke(shape.path, style, shape.hairline.as_ref(), &shape.transform, builder);
+        }
     }
     builder.close();
 }

@@ -19,6 +19,8 @@ pub(super) struct Outliner<'a, S> {
     cap: Cap,
     join: Join,
     radius: f64,
+    /// How far caps reach beyond the ends of lines; the radius but for hairlines.
+    reach: f64,
     /// Largest deviation, in path space.
     tolerance: f64,
     transform: &'a Transform,
@@ -62,6 +64,7 @@ impl<'a, S: LineSink> Outliner<'a, S> {
             cap: style.cap,
             join: style.join,
             radius,
+            reach: radius,
             tolerance,
             transform,
             sink,
@@ -70,6 +73,12 @@ impl<'a, S: LineSink> Outliner<'a, S> {
             start: [0.0; 2],
             arc_points_left: MAX_ARC_POINTS,
         }
+    }
+
+    /// Lets caps reach less far than the line is wide: square ones are cut, round ones become square ones of their area.
+    pub(super) fn shorten_caps(&mut self, reach: f64) {
+        self.reach = if self.cap == Cap::Round { reach * core::f64::consts::FRAC_PI_4 } else { reach };
+        self.cap = if self.cap == Cap::Round { Cap::Square } else { self.cap };
     }
 
     /// Draws one polyline.
@@ -217,8 +226,9 @@ impl<'a, S: LineSink> Outliner<'a, S> {
             self.send_offset(end, direction, self.radius);
             self.arc(end, direction, other, 0);
         } else {
-            self.send_offset(end, sum(normal, direction), self.radius);
-            self.send_offset(end, sum(other, direction), self.radius);
+            let tip = sum(end, scaled(direction, self.reach));
+            self.send_offset(tip, normal, self.radius);
+            self.send_offset(tip, other, self.radius);
         }
         self.send_offset(end, other, self.radius);
         self.sink.close();
