@@ -1,4 +1,4 @@
-//! Chores of the trigon workspace, each one command: `cargo xtask tidy | bless | report | assets`.
+//! Chores of the trigon workspace, each one command: `cargo xtask tidy | bless | report | assets | guide`.
 //!
 //! In: the working tree. Out: findings or files. Everything here runs the same at home and in `.ci/run`; a rule
 //! that the compiler or clippy can hold does not belong here.
@@ -6,6 +6,7 @@
 
 mod assets;
 mod golden;
+mod guide;
 mod tidy;
 
 use std::path::PathBuf;
@@ -19,6 +20,9 @@ usage: cargo xtask <command>
   report            print where the HTML report of golden differences is
   assets            write everything under assets/
   assets --check    fail if assets/ differs from what the generator makes
+  guide [PAGE]      make the pictures and texts of the pages in docs/guide/ whose name contains PAGE
+  guide --check [PAGE]
+                    fail if they differ from what the commands on the pages make
 ";
 
 fn main() -> ExitCode {
@@ -32,6 +36,10 @@ fn main() -> ExitCode {
         ["report"] => golden::report(&root),
         ["assets"] => assets::write(&root),
         ["assets", "--check"] => assets::check(&root),
+        ["guide"] => guide::write(&root, ""),
+        ["guide", "--check"] => guide::check(&root, ""),
+        ["guide", "--check", page] => guide::check(&root, page),
+        ["guide", page] => guide::write(&root, page),
         ["help" | "--help" | "-h"] => {
             print!("{USAGE}");
             return ExitCode::SUCCESS;
