@@ -77,6 +77,17 @@ impl Renderer {
         Ok(())
     }
 
+    /// Draws what of `drawing` lies in `picture` over what the picture holds: labels on a model, a model's notes on a map.
+    /// Its pixels are below the first shape as a background is, for blend modes too.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw); the picture is then as it was.
+    pub fn draw_over(&self, drawing: &Drawing, picture: &mut Picture) -> Result<(), DrawError> {
+        self.check(picture.width, picture.height)?;
+        engine::draw_over(self, drawing, [picture.width, picture.height], &mut picture.pixels);
+        Ok(())
+    }
+
     fn check(&self, width: u32, height: u32) -> Result<(), DrawError> {
         let too_large = u64::from(width) * u64::from(height) > self.max_pixels;
         if width > MAX_SIZE || height > MAX_SIZE || too_large {
@@ -94,6 +105,14 @@ impl Default for Renderer {
 }
 
 impl Picture {
+    /// A picture to draw on, from straight alpha as files and the rasterizer have it: each colour is multiplied by alpha
+    /// and rounded to nearest.
+    #[must_use]
+    pub fn from_image(image: &Rgba8Image) -> Self {
+        let pixels = image.pixels().iter().map(|pixel| engine::premultiplied_pixel(*pixel)).collect();
+        Self { width: image.width(), height: image.height(), pixels }
+    }
+
     /// Width in pixels.
     #[must_use]
     pub fn width(&self) -> u32 {

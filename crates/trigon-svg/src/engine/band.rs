@@ -4,6 +4,7 @@
 //! drawn in any order, by any thread.
 
 use super::coverage::{BAND_ROWS, Bounds, Scanner};
+use super::draw::Below;
 use super::layer::{blend_layer, to_coefficients};
 use super::over::scale;
 use super::paint::Brush;
@@ -35,7 +36,7 @@ struct BandTask<'w, 'a> {
     worker: &'w mut Worker<'a>,
     program: &'w Program,
     band: u32,
-    background: u32,
+    below: Below,
     out: &'w mut [[u8; 4]],
 }
 
@@ -46,7 +47,12 @@ impl Kernel for BandTask<'_, '_> {
     fn run<L: Lanes>(self, l: L) {
         let rows = [self.band * BAND_ROWS, self.band * BAND_ROWS + (self.out.len() / self.worker.width()) as u32];
         let bounds = Bounds { columns: [0, self.worker.width() as u32], rows };
-        let surface = self.worker.run(l, self.program, self.band, bounds, self.background);
+        let mut surface = self.worker.spare.pop().unwrap_or_default();
+        match self.below {
+            Below::Color(color) => surface.restart(bounds, color),
+            Below::Pixels => surface.restart_with(bounds, self.out),
+        }
+        let surface = self.worker.run(l, self.program, self.band, surface);
         resolve(l, &surface, self.worker.sample_count, self.out);
         self.worker.spare.push(surface);
     }
@@ -78,30 +84,31 @@ impl<'a> Worker<'a> {
         simd: SimdLevel,
         program: &Program,
         band: u32,
-        background: u32,
+        below: Below,
         out: &mut [[u8; 4]],
     ) {
         if program.steps_in(band).is_empty() {
-            out.fill(background.to_le_bytes());
+            below.fill(out);
             return;
         }
-        simd.run(BandTask { worker: self, program, band, background, out });
+        simd.run(BandTask { worker: self, program, band, below, out });
     }
 
-    /// The steps of a program that meet a band, on a new surface.
+    /// The steps of a program that meet a band, on a surface.
     #[inline(never)]
-    fn run<L: Lanes>(&mut self, l: L, program: &Program, band: u32, bounds: Bounds, background: u32) -> Surface {
+    fn run<L: Lanes>(&mut self, l: L, program: &Program, band: u32, surface: Surface) -> Surface {
         l.vectorize(
             #[inline(always)]
-            || self.run_steps(l, program, band, bounds, background),
+            || self.run_steps(l, program, band, surface),
         )
     }
 
     #[inline(always)]
-    fn run_steps<L: Lanes>(&mut self, l: L, program: &Program, band: u32, bounds: Bounds, background: u32) -> Surface {
+    fn run_steps<L: Lanes>(&mut self, l: L, program: &Program, band: u32, surface: Surface) -> Surface {
         // Clip paths of a layer do not reach into its mask.
         let outer_clips = core::mem::take(&mut self.clips);
-        let mut surfaces = vec![self.new_surface(bounds, background)];
+        let bounds = surface.bounds();
+        let mut surfaces = vec![surface];
         for number in program.steps_in(band) {
             let step_bounds = program.bounds[*number as usize].intersect(&bounds);
             let Some(surface) = surfaces.last_mut() else { break };
@@ -119,7 +126,7 @@ impl<'a> Worker<'a> {
                 Step::PopClip => {
                     self.clips.pop();
                 }
-                Step::PushLayer => surfaces.push(self.new_surface(step_bounds, 0)),
+                Step::PushLayer => surfaces.push(self.new_surface(step_bounds)),
                 Step::PopLayer { opacity, blend, mask } => {
                     if let [.., below, layer] = &mut surfaces[..] {
                         let masks = self.masks(l, mask, band, step_bounds);
@@ -134,9 +141,10 @@ impl<'a> Worker<'a> {
         surfaces.swap_remove(0)
     }
 
-    fn new_surface(&mut self, bounds: Bounds, color: u32) -> Surface {
+    /// Transparent black.
+    fn new_surface(&mut self, bounds: Bounds) -> Surface {
         let mut surface = self.spare.pop().unwrap_or_default();
-        surface.restart(bounds, color);
+        surface.restart(bounds, 0);
         surface
     }
 
@@ -218,7 +226,8 @@ impl<'a> Worker<'a> {
         let mut next = mask;
         while let Some(number) = next {
             let mask = &self.tables.masks[number];
-            let mut surface = self.run(l, &mask.program, band, bounds, 0);
+            let surface = self.new_surface(bounds);
+            let mut surface = self.run(l, &mask.program, band, surface);
             to_coefficients(mask.kind, &mut surface);
             surfaces.push(surface);
             next = mask.mask;

@@ -23,6 +23,12 @@ pub(crate) fn premultiplied(color: Color, opacity: f32) -> u32 {
     pack([channel(color.r), channel(color.g), channel(color.b), to_byte(255.0 * alpha)])
 }
 
+/// Premultiplied alpha from straight: products over 255, rounded to nearest.
+pub(crate) fn premultiplied_pixel([r, g, b, a]: [u8; 4]) -> [u8; 4] {
+    let product = |value: u8| div_255(u32::from(value) * u32::from(a)) as u8;
+    [product(r), product(g), product(b), a]
+}
+
 /// Into 0..=1; NaN is 0.
 #[inline(always)]
 pub(crate) fn unit(value: f32) -> f32 {

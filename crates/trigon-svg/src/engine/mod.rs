@@ -35,5 +35,5 @@ mod stroke;
 mod surface;
 
 pub(crate) use blend::blend;
-pub(crate) use color::straight;
-pub(crate) use draw::draw;
+pub(crate) use color::{premultiplied_pixel, straight};
+pub(crate) use draw::{draw, draw_over};

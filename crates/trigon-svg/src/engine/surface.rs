@@ -65,6 +65,14 @@ impl Surface {
         self.drawn.resize(rows, [u32::MAX, 0]);
     }
 
+    /// Makes it hold these pixels, row by row: as many as `bounds` has.
+    pub(crate) fn restart_with(&mut self, bounds: Bounds, pixels: &[[u8; 4]]) {
+        self.restart(bounds, 0);
+        for (word, pixel) in self.words.iter_mut().zip(pixels) {
+            *word = u32::from_le_bytes(*pixel);
+        }
+    }
+
     /// The pixels that it holds.
     pub(crate) fn bounds(&self) -> Bounds {
         self.bounds

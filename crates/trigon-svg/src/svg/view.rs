@@ -15,6 +15,8 @@ pub enum Size {
     Height(u32),
     /// As large as fits into this; the rest of the picture is empty, half of it on each side.
     Inside(u32, u32),
+    /// So large that it fills this; what sticks out is cut off, half of it on each side.
+    Cover(u32, u32),
     /// The document's size times this.
     Zoom(f32),
 }
@@ -63,12 +65,15 @@ impl Size {
             Self::Document => [natural_width, natural_height],
             Self::Width(w) => [f64::from(w), whole(f64::from(w) * ratio)],
             Self::Height(h) => [whole(f64::from(h) / ratio), f64::from(h)],
-            Self::Inside(w, h) => [f64::from(w), f64::from(h)],
+            Self::Inside(w, h) | Self::Cover(w, h) => [f64::from(w), f64::from(h)],
             Self::Zoom(zoom) => [whole(width * f64::from(zoom)), whole(height * f64::from(zoom))],
         };
         let [mut scale_x, mut scale_y] = [picture[0] / width, picture[1] / height];
         if matches!(self, Self::Inside(..)) {
             let scale = scale_x.min(scale_y);
+            (scale_x, scale_y) = (scale, scale);
+        } else if matches!(self, Self::Cover(..)) {
+            let scale = scale_x.max(scale_y);
             (scale_x, scale_y) = (scale, scale);
         }
         let margin = |picture: f64, length: f64| (picture - length) / 2.0;
@@ -107,6 +112,10 @@ mod tests {
         let fitted = Size::Inside(400, 100).fit([10.0, 20.0, 50.0, 50.0]).unwrap();
         assert_eq!(fitted.pixels_from_user.apply([10.0, 20.0]), [150.0, 0.0]);
         assert_eq!(fitted.pixels_from_user.apply([60.0, 70.0]), [250.0, 100.0]);
+        let fitted = Size::Cover(400, 100).fit([10.0, 20.0, 50.0, 50.0]).unwrap();
+        assert_eq!((fitted.width, fitted.height), (400, 100));
+        assert_eq!(fitted.pixels_from_user.apply([10.0, 20.0]), [0.0, -150.0]);
+        assert_eq!(fitted.pixels_from_user.apply([60.0, 70.0]), [400.0, 250.0]);
     }
 
     #[test]
