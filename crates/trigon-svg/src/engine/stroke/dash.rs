@@ -1,7 +1,7 @@
 //! Dashes: one polyline in, the pieces of it that are drawn out.
 //!
-//! Lengths are measured along the polyline. Each contour begins anew at the offset, and a dash does not run on from the
-//! end of a closed contour into its start.
+//! Lengths are measured along the polyline. Each contour begins anew at the offset. A dash that reaches the end of a closed
+//! contour whose start is in a dash, too, is one with that, joined at the start as at other corners.
 
 use super::polyline::{Polyline, Vertex};
 use crate::canvas::Stroke;
@@ -61,11 +61,16 @@ impl Dashes {
             return;
         }
         let (mut index, mut left) = (self.first, self.first_left);
+        // The first piece of a closed contour waits for the last one.
+        let mut waits = line.is_closed && index % 2 == 0 && left > 0.0;
+        let mut head = None;
         piece.clear();
         if index % 2 == 0 {
             piece.push(line.vertices[0]);
         }
-        for (from, to) in line.segments() {
+        let mut segments_left = line.segments().count();
+        'segments: for (from, to) in line.segments() {
+            segments_left -= 1;
             let length = distance(from.point, to.point);
             let mut done = 0.0;
             // Each end of a dash or gap within this segment.
@@ -74,13 +79,19 @@ impl Dashes {
                 let t = done / length;
                 let at = |axis: usize| from.point[axis] + (to.point[axis] - from.point[axis]) * t;
                 let vertex = Vertex { point: [at(0), at(1)], is_corner: true };
-                if index % 2 == 0 {
+                if index % 2 == 1 {
+                    piece.clear();
+                    piece.push(vertex);
+                } else if core::mem::take(&mut waits) {
+                    piece.push(vertex);
+                    head = Some(core::mem::take(piece));
+                } else if head.is_some() && segments_left == 0 && done >= length {
+                    // It ends where the contour does.
+                    break 'segments;
+                } else {
                     piece.push(vertex);
                     draw(piece);
                     piece.clear();
-                } else {
-                    piece.clear();
-                    piece.push(vertex);
                 }
                 index = (index + 1) % self.lengths.len();
                 left = self.lengths[index];
@@ -90,8 +101,15 @@ impl Dashes {
                 piece.push(to);
             }
         }
-        if piece.vertices.len() > 1 {
-            draw(piece);
+        match head {
+            Some(head) if piece.vertices.is_empty() => draw(&head),
+            Some(head) => {
+                piece.push(line.vertices[0]);
+                head.vertices.iter().for_each(|vertex| piece.push(*vertex));
+                draw(piece);
+            }
+            None if piece.vertices.len() > 1 => draw(piece),
+            None => {}
         }
     }
 }
@@ -123,6 +141,36 @@ mod tests {
         assert_eq!(pieces(&[3.0, 2.0], -1.0), [[1.0, 4.0], [6.0, 9.0]]);
         assert_eq!(pieces(&[4.0], 2.0), [[0.0, 2.0], [6.0, 10.0]]);
         assert_eq!(pieces(&[0.0, 5.0], 0.0), [[0.0, 0.0], [5.0, 5.0], [10.0, 10.0]]);
+    }
+
+    /// The corners of the pieces of a square of side 10.
+    fn square_pieces(dashes: &[f32]) -> Vec<Vec<[f64; 2]>> {
+        let corners = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+        let vertices = corners.map(|point| Vertex { point, is_corner: true }).to_vec();
+        let line = Polyline { vertices, is_closed: true };
+        let mut found = Vec::new();
+        Dashes::new(&Stroke::new(1.0).with_dashes(dashes, 0.0)).unwrap().cut(
+            &line,
+            &mut Polyline::default(),
+            &mut |piece| {
+                found.push(piece.vertices.iter().map(|vertex| vertex.point).collect());
+            },
+        );
+        found
+    }
+
+    #[test]
+    fn the_last_dash_of_a_closed_contour_is_one_with_the_first() {
+        // Ends within a dash.
+        let last = square_pieces(&[12.0, 6.0]).pop().unwrap();
+        assert_eq!(last, [[0.0, 4.0], [0.0, 0.0], [10.0, 0.0], [10.0, 2.0]]);
+        // Ends with a dash.
+        let pieces = square_pieces(&[20.0, 0.0]);
+        assert_eq!(pieces, [vec![[10.0, 10.0], [0.0, 10.0], [0.0, 0.0], [10.0, 0.0], [10.0, 10.0]]]);
+        // Ends in a gap.
+        assert_eq!(square_pieces(&[30.0, 20.0]), [vec![[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]]);
+        // One dash is longer than the contour.
+        assert_eq!(square_pieces(&[50.0, 20.0]).len(), 1);
     }
 
     #[test]
