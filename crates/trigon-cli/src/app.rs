@@ -1,8 +1,9 @@
 //! From arguments to an exit code.
 
 use crate::command;
+use crate::deadline;
 use crate::failure::Failure;
-use crate::options::{Cli, Command, Given, command_line, with_implied_render};
+use crate::options::{Cli, Command, Given, Written, command_line, with_implied_render};
 use crate::terminal::{self, Terminal};
 use clap::FromArgMatches;
 use std::ffi::OsString;
@@ -11,9 +12,10 @@ use std::process::ExitCode;
 /// Runs the command line; the first argument is the program's name.
 pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     let matches = command_line().try_get_matches_from(with_implied_render(arguments));
-    let read = matches.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, Given::of(&matches))));
+    let read =
+        matches.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, Given::of(&matches), Written::of(&matches))));
     let done = match read {
-        Ok((cli, given)) => execute(&cli.command, given),
+        Ok((cli, given, written)) => execute(&cli.command, given, &written),
         // What was asked for: help or the version.
         Err(text) if !text.use_stderr() => terminal::write_stdout(text.render().to_string().as_bytes()),
         Err(error) => Err(Failure::Table(error.render().to_string())),
@@ -27,10 +29,16 @@ pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     }
 }
 
-fn execute(command: &Command, given: Given) -> Result<(), Failure> {
+fn execute(command: &Command, given: Given, written: &Written) -> Result<(), Failure> {
     match command {
-        Command::Render(options) => command::render(options, given),
-        Command::Turntable(options) => command::turntable(options),
+        Command::Render(options) => {
+            deadline::start(options.render.machine.time_limit)?;
+            command::render(options, given, written)
+        }
+        Command::Turntable(options) => {
+            deadline::start(options.render.machine.time_limit)?;
+            command::turntable(options)
+        }
         Command::Completions(options) => command::completions(options),
         Command::Man(options) => command::man(options),
     }

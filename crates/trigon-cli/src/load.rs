@@ -4,7 +4,8 @@
 //! line mean what they mean in the file.
 
 use crate::failure::Failure;
-use crate::options::{InputFormat, InputOptions, ViewOptions};
+use crate::options::{InputFormat, InputOptions, RenderOptions, ViewOptions};
+use crate::pictures::SvgTextures;
 use crate::stdin;
 use crate::values::{LimitName, UpDirection};
 use std::fs;
@@ -29,12 +30,11 @@ pub(crate) struct Models {
 
 impl Models {
     /// Loads all models into one scene.
-    pub(crate) fn load(
-        paths: &[PathBuf],
-        options: &InputOptions,
-        threads: Option<NonZeroUsize>,
-    ) -> Result<Self, Failure> {
-        let load_options = load_options(options, threads);
+    pub(crate) fn load(render: &RenderOptions) -> Result<Self, Failure> {
+        let (paths, options) = (&render.models, &render.input);
+        let mut load_options = load_options(options, render.machine.threads);
+        let textures = SvgTextures::new(&render.svg_input, load_options.limits.texture_bytes);
+        load_options.picture_decoder = Some(Arc::new(textures));
         let (mut scene, mut warnings, mut up) = (Scene::default(), Vec::new(), None);
         let mut files = paths.to_vec();
         files.extend(options.texture.clone());
@@ -47,7 +47,7 @@ impl Models {
             warnings.extend(loaded.warnings);
         }
         if let Some(path) = &options.texture {
-            add_texture(&mut scene, path, &load_options.limits)?;
+            add_texture(&mut scene, path, &load_options)?;
         }
         Ok(Self { scene, warnings, up: up.unwrap_or(UpDirection::PLUS_Y), files })
     }
@@ -130,7 +130,8 @@ fn usual_up(format: Format) -> UpDirection {
 }
 
 /// Puts a picture on every material without a diffuse map.
-fn add_texture(scene: &mut Scene, path: &Path, limits: &Limits) -> Result<(), Failure> {
+fn add_texture(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<(), Failure> {
+    let limits = &options.limits;
     let failure = |problem: &str| Failure::work(format!("cannot read the texture {}: {problem}", path.display()));
     let metadata = fs::metadata(path).map_err(|error| failure(&error.to_string()))?;
     if metadata.len() > limits.texture_bytes {
@@ -139,7 +140,11 @@ fn add_texture(scene: &mut Scene, path: &Path, limits: &Limits) -> Result<(), Fa
     let bytes = fs::read(path).map_err(|error| failure(&error.to_string()))?;
     let id = TextureId(u32::try_from(scene.textures.len()).map_err(|_| failure("there are too many textures"))?);
     let texture = Texture::new(path.display().to_string(), bytes);
-    scene.textures.push(Texture { max_pixels: limits.texture_pixels, ..texture });
+    scene.textures.push(Texture {
+        max_pixels: limits.texture_pixels,
+        decoder: options.picture_decoder.clone(),
+        ..texture
+    });
     for material in &mut scene.materials {
         if material.is_neutral() {
             // The picture shows as it is.

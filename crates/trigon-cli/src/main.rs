@@ -5,6 +5,7 @@
 
 mod app;
 mod command;
+mod deadline;
 mod failure;
 mod hash;
 mod json;
@@ -12,6 +13,7 @@ mod load;
 mod machine;
 mod options;
 mod output;
+mod pictures;
 mod progress;
 mod report;
 mod settings;

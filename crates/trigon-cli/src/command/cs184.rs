@@ -12,7 +12,10 @@ const WINDOW: (u32, u32) = (960, 640);
 
 /// Reads and draws the file.
 pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64) -> Result<Drawn, Failure> {
-    let path = &options.render.models[0];
+    let (path, picture) = (&options.render.models[0], &options.render.picture);
+    if picture.backdrop.is_some() || picture.overlay.is_some() {
+        return Err(Failure::usage("--preset cs184 draws on a white page: leave out --backdrop and --overlay"));
+    }
     let machine = machine::renderer_options(&options.render.machine)?;
     let mut course = course_options(options, given)?;
     course.folder = Some(folder_of(path));

@@ -2,14 +2,14 @@
 
 use super::drawing::{Drawn, failure, folder_of, read};
 use crate::failure::Failure;
-use crate::options::{Given, PatternChoice, RenderCommandOptions, SvgOptions};
+use crate::options::{Given, PatternChoice, RenderCommandOptions, RenderOptions};
+use crate::pictures::cover;
 use crate::values::PageArea;
 use crate::{machine, settings};
-use std::path::Path;
 use std::time::Instant;
 use trigon_image::Color;
-use trigon_svg::canvas::Renderer;
-use trigon_svg::svg::{Area, Document, FontOptions, Options, Size, View};
+use trigon_svg::canvas::{Picture, Renderer};
+use trigon_svg::svg::{Area, Document, Prepared, Size, SvgError, View};
 
 /// Reads and draws the file.
 pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64) -> Result<Drawn, Failure> {
@@ -17,11 +17,12 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     let view = view(options, given);
     let renderer = renderer(options, given)?;
     let started = Instant::now();
-    let read_options = read_options(&options.svg, path, max_bytes);
+    let read_options = options.render.svg_input.to_options(Some(folder_of(path)), max_bytes);
     let document = Document::parse(&read(path, max_bytes)?, &read_options).map_err(|error| failure(path, &error))?;
     let load = started.elapsed();
-    let background = options.render.picture.background.unwrap_or(Color::TRANSPARENT);
-    let (picture, warnings) = document.draw(&view, &renderer, background).map_err(|error| failure(path, &error))?;
+    let prepared = document.prepare(&view, &renderer).map_err(|error| failure(path, &error))?;
+    let picture = draw_layers(&options.render, &prepared, &renderer, max_bytes)?;
+    let warnings = prepared.warnings;
     let image = picture.to_image();
     Ok(Drawn {
         image,
@@ -32,6 +33,32 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
         load,
         draw: started.elapsed().saturating_sub(load),
     })
+}
+
+/// The document between the pictures behind and before it.
+fn draw_layers(
+    options: &RenderOptions,
+    prepared: &Prepared,
+    renderer: &Renderer,
+    max_bytes: u64,
+) -> Result<Picture, Failure> {
+    let refused = |error| failure(&options.models[0], &SvgError::Draw(error));
+    let background = options.picture.background.unwrap_or(Color::TRANSPARENT);
+    let size = (prepared.width, prepared.height);
+    let mut picture = match &options.picture.backdrop {
+        None => renderer.draw(&prepared.drawing, size.0, size.1, background).map_err(refused)?,
+        Some(path) => {
+            let backdrop = cover(path, size, &options.svg_input, renderer, max_bytes)?;
+            let mut picture = renderer.draw(&backdrop, size.0, size.1, background).map_err(refused)?;
+            renderer.draw_over(&prepared.drawing, &mut picture).map_err(refused)?;
+            picture
+        }
+    };
+    if let Some(path) = &options.picture.overlay {
+        let overlay = cover(path, size, &options.svg_input, renderer, max_bytes)?;
+        renderer.draw_over(&overlay, &mut picture).map_err(refused)?;
+    }
+    Ok(picture)
 }
 
 /// 16 samples on a grid unless the user chose.
@@ -64,24 +91,4 @@ fn view(options: &RenderCommandOptions, given: Given) -> View {
         None => Area::Page,
     };
     View { size, area, id: svg.export_id.clone() }
-}
-
-fn read_options(svg: &SvgOptions, path: &Path, max_bytes: u64) -> Options {
-    let mut options = Options { folder: Some(folder_of(path)), dpi: svg.dpi.to_f32(), ..Options::default() };
-    if !svg.languages.is_empty() {
-        options.languages.clone_from(&svg.languages);
-    }
-    options.fonts = FontOptions {
-        use_system_fonts: !svg.no_system_fonts,
-        folders: svg.font_folders.clone(),
-        files: svg.font_files.clone(),
-        default_family: svg.font_family.clone(),
-        serif: svg.serif_family.clone(),
-        sans_serif: svg.sans_serif_family.clone(),
-        cursive: svg.cursive_family.clone(),
-        fantasy: svg.fantasy_family.clone(),
-        monospace: svg.monospace_family.clone(),
-    };
-    options.limits.max_bytes = options.limits.max_bytes.min(usize::try_from(max_bytes).unwrap_or(usize::MAX));
-    options
 }

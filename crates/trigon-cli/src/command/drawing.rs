@@ -48,6 +48,7 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     let output = Destination::new(&render.output.output);
     let encoding = Encoding::choose(&render.output, &output)?;
     output.check(&render.models)?;
+    output.check_not_among(&render.picture.layer_files())?;
     let report_target = ReportTarget::choose(render.output.json.as_ref(), &output);
     report_target.as_ref().map_or(Ok(()), |target| target.check(&render.models))?;
 

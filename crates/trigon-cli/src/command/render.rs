@@ -4,15 +4,29 @@ use super::drawing;
 use super::studio::Studio;
 use crate::failure::Failure;
 use crate::load;
-use crate::options::{Given, RenderCommandOptions};
+use crate::options::{Given, Preset, RenderCommandOptions, Written};
 use crate::output::{Destination, Encoding};
 use crate::view;
 use std::time::Instant;
 
-pub(crate) fn render(options: &RenderCommandOptions, given: Given) -> Result<(), Failure> {
+pub(crate) fn render(options: &RenderCommandOptions, given: Given, written: &Written) -> Result<(), Failure> {
     let max_bytes = load::max_file_bytes(&options.render.input);
     if drawing::is_drawing(&options.render.models, max_bytes) {
+        if let Some(option) = &written.for_models {
+            return Err(misplaced(
+                option,
+                "models",
+                &format!("{} is an SVG picture", options.render.models[0].display()),
+            ));
+        }
         return drawing::draw(options, given, max_bytes);
+    }
+    if options.svg.preset == Some(Preset::Cs184) {
+        return Err(misplaced("--preset cs184", "SVG pictures", "this is a model"));
+    }
+    if let Some(option) = &written.for_drawings {
+        let is_size = option == "--width" || option == "--height";
+        return Err(misplaced(option, "SVG pictures", if is_size { "models have --size" } else { "this is a model" }));
     }
     let options = &options.render;
     let output = Destination::new(&options.output.output);
@@ -23,4 +37,9 @@ pub(crate) fn render(options: &RenderCommandOptions, given: Given) -> Result<(),
     let started = Instant::now();
     output.write(&encoding.encode(&images)?)?;
     studio.close(started.elapsed())
+}
+
+/// An option that says nothing about this kind of input.
+fn misplaced(option: &str, kind: &str, input: &str) -> Failure {
+    Failure::usage(format!("{option} concerns {kind}, and {input}; leave it out"))
 }

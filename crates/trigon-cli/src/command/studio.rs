@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::load::Models;
 use crate::options::RenderOptions;
 use crate::output::{Destination, Encoding, Images};
+use crate::pictures::Layers;
 use crate::report::{Report, ReportTarget};
 use crate::terminal::Terminal;
 use crate::values::UpDirection;
@@ -26,6 +27,7 @@ pub(crate) struct Studio {
     renderer: Renderer,
     scene_renderer: SceneRenderer,
     settings: RenderSettings,
+    layers: Layers,
     picture: Picture,
     is_strict: bool,
     report: Report,
@@ -67,6 +69,7 @@ impl Studio {
             renderer,
             scene_renderer: SceneRenderer::new(),
             settings,
+            layers: Layers::default(),
             picture: Picture::default(),
             is_strict: options.input.strict,
             report,
@@ -77,9 +80,11 @@ impl Studio {
     /// Reads the models, places them and adds the lights.
     fn load(&mut self, options: &RenderOptions, output: &Destination) -> Result<(), Failure> {
         let started = Instant::now();
-        let mut models = Models::load(&options.models, &options.input, options.machine.threads)?;
+        let mut models = Models::load(options)?;
+        self.layers = Layers::read(options, &mut self.settings)?;
         self.report.stages.load = started.elapsed();
         output.check_not_among(&models.files)?;
+        output.check_not_among(&options.picture.layer_files())?;
         self.warn_all(&models.warnings)?;
         models.place(&options.view);
         self.up = options.view.up.unwrap_or(models.up);
@@ -120,7 +125,7 @@ impl Studio {
         }
         report.frames += 1;
         report.geometry += statistics.geometry;
-        let images = Images::take(&mut self.picture);
+        let images = self.layers.compose(Images::take(&mut self.picture));
         if let (Some(_), Some(bytes)) = (&self.report_target, &images.bytes) {
             report.hash.add(bytes);
         }

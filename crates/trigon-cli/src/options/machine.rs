@@ -1,5 +1,6 @@
 //! Options about how the machine is used. None of them changes a pixel.
 
+use crate::values::Positive;
 use clap::Args;
 use std::num::NonZeroUsize;
 
@@ -16,6 +17,12 @@ pub(crate) struct MachineOptions {
     /// same at every level.
     #[arg(long, value_name = "LEVEL")]
     pub(crate) simd: Option<String>,
+
+    /// Give up, with an error, after so many seconds
+    ///
+    /// For files of strangers. No output is left behind.
+    #[arg(long, value_name = "SECONDS")]
+    pub(crate) time_limit: Option<Positive>,
 }
 
 /// More threads than any machine has would only use up memory.

@@ -12,10 +12,12 @@ mod picture;
 mod render;
 mod shading;
 mod svg;
+mod svg_input;
 mod texts;
 mod textures;
 mod turntable;
 mod view;
+mod written;
 
 pub(crate) use choices::{
     BitDepth, Compression, CullChoice, InputFormat, LevelFilterChoice, PatternChoice, PixelFilterChoice, RateChoice,
@@ -29,7 +31,9 @@ pub(crate) use output::OutputOptions;
 pub(crate) use picture::PictureOptions;
 pub(crate) use render::RenderOptions;
 pub(crate) use shading::ShadingOptions;
-pub(crate) use svg::{NearestTexel, Preset, RenderCommandOptions, SvgOptions};
+pub(crate) use svg::{NearestTexel, Preset, RenderCommandOptions};
+pub(crate) use svg_input::SvgInputOptions;
 pub(crate) use textures::TextureOptions;
 pub(crate) use turntable::TurntableOptions;
 pub(crate) use view::ViewOptions;
+pub(crate) use written::Written;

@@ -3,6 +3,7 @@
 use super::{PatternChoice, RateChoice};
 use crate::values::PictureSize;
 use clap::Args;
+use std::path::PathBuf;
 use trigon_image::Color;
 
 #[derive(Debug, Args)]
@@ -22,6 +23,16 @@ pub(crate) struct PictureOptions {
     #[arg(short, long, value_name = "COLOUR")]
     pub(crate) background: Option<Color>,
 
+    /// Picture behind everything: PNG, JPEG, SVG and so on
+    ///
+    /// It fills the frame and keeps its proportions; what sticks out is cut off. It lies before the background's colour.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) backdrop: Option<PathBuf>,
+
+    /// Picture before everything, such as labels; as --backdrop
+    #[arg(long, value_name = "FILE")]
+    pub(crate) overlay: Option<PathBuf>,
+
     /// Samples per pixel, for smooth edges
     ///
     /// 1, 2, 4, 8 or 16 in the standard pattern; 1, 4, 9 or 16 on a grid.
@@ -35,4 +46,11 @@ pub(crate) struct PictureOptions {
     /// How often a pixel is shaded
     #[arg(long, value_enum, value_name = "RATE", default_value = "pixel")]
     pub(crate) shading: RateChoice,
+}
+
+impl PictureOptions {
+    /// The files of the backdrop and the overlay.
+    pub(crate) fn layer_files(&self) -> Vec<PathBuf> {
+        self.backdrop.iter().chain(&self.overlay).cloned().collect()
+    }
 }

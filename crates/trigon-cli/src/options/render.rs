@@ -1,6 +1,9 @@
 //! Options of `trigon render`.
 
-use super::{InputOptions, MachineOptions, OutputOptions, PictureOptions, ShadingOptions, TextureOptions, ViewOptions};
+use super::{
+    InputOptions, MachineOptions, OutputOptions, PictureOptions, ShadingOptions, SvgInputOptions, TextureOptions,
+    ViewOptions,
+};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -25,4 +28,6 @@ pub(crate) struct RenderOptions {
     pub(crate) input: InputOptions,
     #[command(flatten)]
     pub(crate) machine: MachineOptions,
+    #[command(flatten)]
+    pub(crate) svg_input: SvgInputOptions,
 }

@@ -1,9 +1,8 @@
 //! Options about SVG pictures.
 
 use super::RenderOptions;
-use crate::values::{PageArea, Positive, Vector};
+use crate::values::{PageArea, Vector};
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
 use trigon::target::MAX_SIZE;
 
 /// Options of `trigon render`: those of models, and those of SVG pictures alone.
@@ -30,10 +29,6 @@ pub(crate) struct SvgOptions {
     #[arg(conflicts_with = "size")]
     pub(crate) height: Option<u32>,
 
-    /// Pixels per inch, for lengths in mm, pt and so on
-    #[arg(long, value_name = "N", default_value = "96")]
-    pub(crate) dpi: Positive,
-
     /// Draw only the element with this id
     #[arg(long, value_name = "ID")]
     pub(crate) export_id: Option<String>,
@@ -44,44 +39,6 @@ pub(crate) struct SvgOptions {
     /// --export-id: drawing]
     #[arg(long, value_name = "AREA", allow_hyphen_values = true)]
     pub(crate) export_area: Option<PageArea>,
-
-    /// Folder of fonts for text; repeatable
-    #[arg(long = "font-dir", value_name = "FOLDER")]
-    pub(crate) font_folders: Vec<PathBuf>,
-
-    /// Font file for text; repeatable
-    #[arg(long = "font-file", value_name = "FILE")]
-    pub(crate) font_files: Vec<PathBuf>,
-
-    /// Leave out the fonts installed on this machine
-    ///
-    /// Text then looks the same on every machine.
-    #[arg(long)]
-    pub(crate) no_system_fonts: bool,
-
-    /// Font of text that names none
-    #[arg(long, value_name = "NAME")]
-    pub(crate) font_family: Option<String>,
-
-    /// Font for serif
-    #[arg(long, value_name = "NAME")]
-    pub(crate) serif_family: Option<String>,
-
-    /// Font for sans-serif
-    #[arg(long, value_name = "NAME")]
-    pub(crate) sans_serif_family: Option<String>,
-
-    /// Font for cursive
-    #[arg(long, value_name = "NAME")]
-    pub(crate) cursive_family: Option<String>,
-
-    /// Font for fantasy
-    #[arg(long, value_name = "NAME")]
-    pub(crate) fantasy_family: Option<String>,
-
-    /// Font for monospace
-    #[arg(long, value_name = "NAME")]
-    pub(crate) monospace_family: Option<String>,
 
     /// Draw as another program does
     #[arg(long, value_enum, value_name = "PROGRAM")]
@@ -97,10 +54,6 @@ pub(crate) struct SvgOptions {
     /// Which texel --preset cs184 takes as the nearest
     #[arg(long, value_enum, value_name = "RULE", default_value = "holding")]
     pub(crate) nearest_texel: NearestTexel,
-
-    /// Language for the parts of a file that depend on it, such as en or de-AT; repeatable [default: en]
-    #[arg(long = "language", value_name = "CODE")]
-    pub(crate) languages: Vec<String>,
 }
 
 /// Another program whose pictures are drawn.

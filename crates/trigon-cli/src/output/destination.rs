@@ -3,6 +3,7 @@
 //! What can be known beforehand is checked before anything is drawn. Regular files are written under another name and
 //! renamed; devices and pipes are written as they are, because they cannot be replaced.
 
+use crate::deadline;
 use crate::failure::Failure;
 use crate::terminal;
 use std::fs::{self, OpenOptions};
@@ -73,6 +74,7 @@ impl Destination {
 
     /// Writes all of `bytes`, or leaves the file as it was.
     pub(crate) fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
+        let _written_whole = deadline::writing();
         let Self::File(path) = self else { return terminal::write_stdout(bytes) };
         let written = if self.is_device() {
             OpenOptions::new().write(true).open(path).and_then(|mut device| device.write_all(bytes))

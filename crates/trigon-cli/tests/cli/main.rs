@@ -4,6 +4,7 @@
 mod failures;
 mod formats;
 mod help;
+mod layers;
 mod pipes;
 mod report;
 mod support;

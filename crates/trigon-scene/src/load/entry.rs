@@ -65,6 +65,9 @@ fn load(bytes: &[u8], name: &str, options: &LoadOptions, default: &dyn Resolver)
         findings.warn(name, Place::File, WarningKind::Empty, "the file holds nothing to draw")?;
     }
     scene.textures = side_files.into_textures();
+    for texture in &mut scene.textures {
+        texture.decoder.clone_from(&options.picture_decoder);
+    }
     scene.generate_tangents();
     let is_z_up = match options.up {
         UpAxis::PlusY => false,

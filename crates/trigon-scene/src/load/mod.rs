@@ -12,6 +12,7 @@
 //! ```
 #![doc = include_str!("../../FORMATS.md")]
 
+mod decoder;
 mod entry;
 mod error;
 mod format;
@@ -22,6 +23,7 @@ mod resolver;
 mod side_files;
 mod warnings;
 
+pub use decoder::PictureDecoder;
 pub use entry::{Loaded, load_bytes, load_path};
 pub use error::{LoadError, Location, Place};
 pub use format::Format;

@@ -1,6 +1,6 @@
 //! What a caller can choose about loading, and the bounds that keep hostile files harmless.
 
-use super::{Format, Resolver};
+use super::{Format, PictureDecoder, Resolver};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -26,6 +26,9 @@ pub struct LoadOptions {
     /// Where material libraries and textures come from; `None` is the folder of the model's path, or nowhere for
     /// models from memory.
     pub resolver: Option<Arc<dyn Resolver>>,
+    /// Decodes textures of formats beyond those of `trigon-image`, SVG for example; `None` leaves these undrawn, with a
+    /// warning.
+    pub picture_decoder: Option<Arc<dyn PictureDecoder>>,
 }
 
 impl LoadOptions {

@@ -4,7 +4,7 @@
 //! [`Texture`], however many materials name it; what differs per use are the [`TextureOptions`].
 
 use super::TextureId;
-use crate::load::parallel_map;
+use crate::load::{PictureDecoder, parallel_map};
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::path::Path;
@@ -20,13 +20,15 @@ pub struct Texture {
     pub encoded: Arc<[u8]>,
     /// The largest width times height that is decoded.
     pub max_pixels: u64,
+    /// Asked first; what it does not know, `trigon-image` decodes.
+    pub decoder: Option<Arc<dyn PictureDecoder>>,
 }
 
 impl Texture {
     /// A texture from the bytes of an image file, of at most 2^27 pixels (134 million).
     #[must_use]
     pub fn new(name: impl Into<String>, encoded: impl Into<Arc<[u8]>>) -> Self {
-        Self { name: name.into(), encoded: encoded.into(), max_pixels: 1 << 27 }
+        Self { name: name.into(), encoded: encoded.into(), max_pixels: 1 << 27, decoder: None }
     }
 
     /// The picture.
@@ -36,6 +38,10 @@ impl Texture {
     /// The file is damaged, of no known format, or larger than `limits` or `max_pixels` allow.
     pub fn decode(&self, limits: &Limits) -> Result<DecodedImage, DecodeError> {
         let limits = limits.with_max_pixels(limits.max_pixels.min(self.max_pixels));
+        let by_decoder = self.decoder.as_ref().and_then(|decoder| decoder.decode(&self.name, &self.encoded, &limits));
+        if let Some(outcome) = by_decoder {
+            return outcome;
+        }
         trigon_image::decode(&self.encoded, Format::from_path(Path::new(&self.name)), &limits)
     }
 
@@ -190,6 +196,31 @@ pub enum MapProjection {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use trigon_image::Rgba8Image;
+
+    /// Knows files that begin with a question mark, and is afraid of long ones.
+    struct Guesses;
+
+    impl PictureDecoder for Guesses {
+        fn decode(&self, _: &str, bytes: &[u8], limits: &Limits) -> Option<Result<DecodedImage, DecodeError>> {
+            let known = bytes.starts_with(b"?");
+            let outcome = limits.check(8, 8, 4).map(|_| DecodedImage::Rgba8(Rgba8Image::filled(8, 8, [1, 2, 3, 255])));
+            known.then_some(outcome)
+        }
+    }
+
+    #[test]
+    fn a_decoder_is_asked_first_and_bound_by_the_limits() {
+        let texture = |bytes: &[u8], max_pixels| Texture {
+            max_pixels,
+            decoder: Some(Arc::new(Guesses)),
+            ..Texture::new("a.what", bytes.to_vec())
+        };
+        let decoded = texture(b"?", 64).decode(&Limits::default()).unwrap().into_rgba8();
+        assert_eq!(decoded.pixel(7, 7), [1, 2, 3, 255]);
+        assert!(matches!(texture(b"?", 63).decode(&Limits::default()), Err(DecodeError::LimitExceeded { .. })));
+        assert!(matches!(texture(b"!", 64).decode(&Limits::default()), Err(DecodeError::Unsupported { .. })));
+    }
 
     #[test]
     fn uv_transform_agrees_with_the_file_convention() {
