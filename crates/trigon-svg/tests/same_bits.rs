@@ -73,6 +73,11 @@ fn everything() -> Drawing {
     });
     let pen = Stroke::new(5.0).with_cap(Cap::Round).with_join(Join::Round).with_dashes(&[11.0, 7.0], 3.0);
     drawing.stroke(star(9, 40.0), &pen, Transform::translate(80.0, 100.0), radial.clone(), 0.9, normal);
+    let thin = Stroke::new(0.11).with_cap(Cap::Round).with_dashes(&[5.0, 1.5], 0.0);
+    drawing.stroke(star(9, 55.0), &thin, Transform::translate(80.0, 100.0), Color::BLACK, 1.0, normal);
+    drawing.set_crisp_edges(true);
+    drawing.fill(star(5, 20.0), FillRule::EvenOdd, Transform::translate(60.0, 90.0), radial.clone(), 0.6, normal);
+    drawing.set_crisp_edges(false);
     let mut dots = Drawing::new();
     dots.fill(Path::circle(4.0, 4.0, 3.0), FillRule::NonZero, STILL, Color::WHITE, 0.8, normal);
     let pattern = Pattern {

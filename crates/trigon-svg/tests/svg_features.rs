@@ -166,6 +166,28 @@ fn triangles_of_three_colors_are_mixed() {
 }
 
 #[test]
+fn crisp_edges_leave_no_mixed_pixel() {
+    let circle = |attributes: &str| draw(&format!("<circle cx='32' cy='32' r='25.3' fill='red' {attributes}/>"));
+    let mixed = |picture: &Picture| picture.pixels().iter().filter(|pixel| ![0, 255].contains(&pixel[3])).count();
+    let (smooth, crisp) = (circle(""), circle("shape-rendering='crispEdges'"));
+    assert!(mixed(&smooth) > 50);
+    assert_eq!(mixed(&crisp), 0);
+    // A pixel is covered where its centre is: where it is covered more or less by half.
+    for (smooth, crisp) in smooth.pixels().iter().zip(crisp.pixels()) {
+        assert!(smooth[3].abs_diff(crisp[3]) <= 160, "{smooth:?} {crisp:?}");
+    }
+}
+
+#[test]
+fn plus_lighter_adds() {
+    let group = |color: &str| {
+        format!("<g style='mix-blend-mode:plus-lighter'><rect width='64' height='64' fill='{color}'/></g>")
+    };
+    let content = format!("{}{}", group("rgb(200,10,0)"), group("rgb(100,20,7)"));
+    check(&content, &[(32, 32, [255, 30, 7, 255])]);
+}
+
+#[test]
 fn what_is_not_drawn_is_named() {
     let document = parse("<foreignObject/><foreignObject/><rect><animate/></rect><script/>");
     let (_, warnings) = document.draw(&View::default(), &Renderer::new(), Color::WHITE).unwrap();

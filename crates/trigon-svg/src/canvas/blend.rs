@@ -21,11 +21,13 @@ pub enum BlendMode {
     Saturation,
     Color,
     Luminosity,
+    /// Both added, up to white and opaque (`plus-lighter`, Compositing Level 2): no mode of separate blending.
+    PlusLighter,
 }
 
 impl BlendMode {
-    /// All modes, in the order of the specification.
-    pub const ALL: [Self; 16] = [
+    /// All modes, in the order of the specification, `PlusLighter` last.
+    pub const ALL: [Self; 17] = [
         Self::Normal,
         Self::Multiply,
         Self::Screen,
@@ -42,5 +44,6 @@ impl BlendMode {
         Self::Saturation,
         Self::Color,
         Self::Luminosity,
+        Self::PlusLighter,
     ];
 }

@@ -9,6 +9,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
     items: Vec<Item>,
+    has_crisp_edges: bool,
 }
 
 /// One step of a drawing.
@@ -33,6 +34,7 @@ pub(crate) struct Shape {
     pub(crate) paint: Paint,
     pub(crate) opacity: f32,
     pub(crate) blend: BlendMode,
+    pub(crate) has_crisp_edges: bool,
 }
 
 /// What of a path is painted.
@@ -55,6 +57,12 @@ impl Drawing {
         self.items.is_empty()
     }
 
+    /// From here on, a shape covers all samples of a pixel or none, as it covers the pixel's centre (`crispEdges`); or,
+    /// as at the beginning, each sample for itself. Layers and clip paths keep their samples.
+    pub fn set_crisp_edges(&mut self, crisp: bool) {
+        self.has_crisp_edges = crisp;
+    }
+
     /// Fills the inside of a path.
     pub fn fill(
         &mut self,
@@ -66,7 +74,15 @@ impl Drawing {
         blend: BlendMode,
     ) {
         let (path, paint) = (path.into(), paint.into());
-        self.push(Shape { path, outline: Outline::Fill(rule), transform, paint, opacity, blend });
+        self.push(Shape {
+            path,
+            outline: Outline::Fill(rule),
+            transform,
+            paint,
+            opacity,
+            blend,
+            has_crisp_edges: self.has_crisp_edges,
+        });
     }
 
     /// Draws the outline of a path; all of it at once, so that a translucent stroke does not double where it overlaps.
@@ -80,7 +96,15 @@ impl Drawing {
         blend: BlendMode,
     ) {
         let (path, paint) = (path.into(), paint.into());
-        self.push(Shape { path, outline: Outline::Stroke(stroke.clone()), transform, paint, opacity, blend });
+        self.push(Shape {
+            path,
+            outline: Outline::Stroke(stroke.clone()),
+            transform,
+            paint,
+            opacity,
+            blend,
+            has_crisp_edges: self.has_crisp_edges,
+        });
     }
 
     /// Draws an image with its top left corner at the origin and one unit per pixel, before `transform`.

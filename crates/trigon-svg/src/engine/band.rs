@@ -19,7 +19,7 @@ use trigon::lanes::{Kernel, Lanes, SimdLevel};
 /// The memory of one thread, and what it reads.
 pub(crate) struct Worker<'a> {
     tables: &'a Tables,
-    scanner: Scanner<'a>,
+    scanners: Scanners<'a>,
     full_mask: u16,
     sample_count: u32,
     runs: RunRows,
@@ -63,7 +63,7 @@ impl<'a> Worker<'a> {
     pub(crate) fn new(samples: &'a SampleRows, tables: &'a Tables, width: u32) -> Self {
         Self {
             tables,
-            scanner: Scanner::new(samples, width),
+            scanners: Scanners::new(samples, width),
             full_mask: samples.full_mask(),
             sample_count: samples.count() as u32,
             runs: RunRows::default(),
@@ -75,7 +75,7 @@ impl<'a> Worker<'a> {
     }
 
     fn width(&self) -> usize {
-        self.scanner.width()
+        self.scanners.of_samples.width()
     }
 
     /// Draws the rows of one band into `out`.
@@ -153,7 +153,7 @@ impl<'a> Worker<'a> {
         if self.clips.last().is_some_and(RunRows::is_empty) {
             return false;
         }
-        scan(&mut self.scanner, self.tables, shape, rule, band, &mut self.runs);
+        self.scanners.scan(self.tables, shape, rule, band, &mut self.runs);
         if let Some(clip) = self.clips.last() {
             self.runs.intersect(clip, &mut self.clipped);
             core::mem::swap(&mut self.runs, &mut self.clipped);
@@ -164,7 +164,7 @@ impl<'a> Worker<'a> {
     /// Opens a clip path.
     fn push_clip(&mut self, clip: usize, band: u32) {
         let mut inside = RunRows::default();
-        cover_clip(&mut self.scanner, self.tables, &self.tables.clips[clip], band, &mut inside);
+        cover_clip(&mut self.scanners, self.tables, &self.tables.clips[clip], band, &mut inside);
         if let Some(below) = self.clips.last() {
             let mut both = RunRows::default();
             inside.intersect(below, &mut both);
@@ -236,23 +236,43 @@ impl<'a> Worker<'a> {
     }
 }
 
-/// The coverage of a shape in a band.
-fn scan(scanner: &mut Scanner<'_>, tables: &Tables, shape: usize, rule: FillRule, band: u32, out: &mut RunRows) {
-    let shape = tables.geometry.shape(shape);
-    let rows = [band * BAND_ROWS, (band + 1) * BAND_ROWS];
-    let bounds = shape.bounds();
-    scanner.scan(shape.edges_in(band), rule, &bounds.intersect(&Bounds { columns: bounds.columns, rows }), out);
+/// What turns edges into runs: for shapes of samples, and for those with crisp edges.
+struct Scanners<'a> {
+    of_samples: Scanner<'a>,
+    of_centers: Scanner<'a>,
+    full_mask: u16,
+}
+
+impl<'a> Scanners<'a> {
+    fn new(samples: &'a SampleRows, width: u32) -> Self {
+        let of_centers = Scanner::new(SampleRows::centers(), width);
+        Self { of_samples: Scanner::new(samples, width), of_centers, full_mask: samples.full_mask() }
+    }
+
+    /// The coverage of a shape in a band.
+    fn scan(&mut self, tables: &Tables, shape: usize, rule: FillRule, band: u32, out: &mut RunRows) {
+        let shape = tables.geometry.shape(shape);
+        let rows = [band * BAND_ROWS, (band + 1) * BAND_ROWS];
+        let bounds = shape.bounds();
+        let bounds = bounds.intersect(&Bounds { columns: bounds.columns, rows });
+        if shape.is_crisp() {
+            self.of_centers.scan(shape.edges_in(band), rule, &bounds, out);
+            out.cover_whole(self.full_mask);
+        } else {
+            self.of_samples.scan(shape.edges_in(band), rule, &bounds, out);
+        }
+    }
 }
 
 /// The coverage of a clip path in a band.
-fn cover_clip(scanner: &mut Scanner<'_>, tables: &Tables, clip: &Clip, band: u32, out: &mut RunRows) {
+fn cover_clip(scanners: &mut Scanners<'_>, tables: &Tables, clip: &Clip, band: u32, out: &mut RunRows) {
     out.restart(band * BAND_ROWS);
     let (mut one, mut other) = (RunRows::default(), RunRows::default());
     for (shape, rule, own) in &clip.shapes {
-        scan(scanner, tables, *shape, *rule, band, &mut one);
+        scanners.scan(tables, *shape, *rule, band, &mut one);
         if let Some(own) = own {
             let mut inside = RunRows::default();
-            cover_clip(scanner, tables, &tables.clips[*own], band, &mut inside);
+            cover_clip(scanners, tables, &tables.clips[*own], band, &mut inside);
             one.intersect(&inside, &mut other);
             core::mem::swap(&mut one, &mut other);
         }
@@ -260,7 +280,7 @@ fn cover_clip(scanner: &mut Scanner<'_>, tables: &Tables, clip: &Clip, band: u32
         core::mem::swap(out, &mut other);
     }
     if let Some(further) = clip.intersect {
-        cover_clip(scanner, tables, &tables.clips[further], band, &mut one);
+        cover_clip(scanners, tables, &tables.clips[further], band, &mut one);
         out.intersect(&one, &mut other);
         core::mem::swap(out, &mut other);
     }

@@ -15,6 +15,9 @@ pub(crate) fn blend(mode: BlendMode, source: u32, below: u32) -> u32 {
     if mode == BlendMode::Normal || source >> 24 == 0 || below >> 24 == 0 {
         return over(source, below);
     }
+    if mode == BlendMode::PlusLighter {
+        return sum(source, below);
+    }
     let (s, source_alpha) = unpacked(source);
     let (b, below_alpha) = unpacked(below);
     let mixed = mix(mode, straight(b, below_alpha), straight(s, source_alpha));
@@ -23,6 +26,12 @@ pub(crate) fn blend(mode: BlendMode, source: u32, below: u32) -> u32 {
     let channel = |i: usize| (s[i] * (1.0 - below_alpha) + b[i] * (1.0 - source_alpha)) + both * mixed[i];
     let alpha = (source_alpha + below_alpha) - both;
     pack(channel(0), channel(1), channel(2), alpha)
+}
+
+/// Premultiplied colours added, each channel up to 255.
+fn sum(source: u32, below: u32) -> u32 {
+    let (s, b) = (source.to_le_bytes(), below.to_le_bytes());
+    u32::from_le_bytes(core::array::from_fn(|i| s[i].saturating_add(b[i])))
 }
 
 /// The function B of the specification: straight colours in, a straight colour out.
@@ -206,6 +215,9 @@ mod tests {
 
     fn reference(mode: BlendMode, source: u32, below: u32) -> [f64; 4] {
         let [s, b] = [source, below].map(|pixel| pixel.to_le_bytes().map(|byte| f64::from(byte) / 255.0));
+        if mode == BlendMode::PlusLighter {
+            return core::array::from_fn(|i| (s[i] + b[i]).min(1.0));
+        }
         let straight = |c: [f64; 4]| [c[0] / c[3], c[1] / c[3], c[2] / c[3]];
         let (cs, cb) = (straight(s), straight(b));
         let mixed = match mode {

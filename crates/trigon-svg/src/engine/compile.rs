@@ -122,7 +122,10 @@ impl<'a> Compiler<'a> {
         let transform = self.base * shape.transform;
         let hairline = match &shape.outline {
             Outline::Fill(_) => None,
-            Outline::Stroke(style) => Hairline::of(style, &transform, self.samples),
+            Outline::Stroke(style) => {
+                let samples = if shape.has_crisp_edges { 1 } else { self.samples };
+                Hairline::of(style, &transform, samples)
+            }
         };
         let faintness = hairline.as_ref().map_or(1.0, |hairline| hairline.opacity as f32);
         let opacity = unit(shape.opacity) * opacity * faintness;
@@ -130,7 +133,8 @@ impl<'a> Compiler<'a> {
         if shader.is_nothing() {
             return;
         }
-        self.shapes.push(Outlined { path: &shape.path, outline: &shape.outline, hairline, transform });
+        let (path, outline, is_crisp) = (&shape.path, &shape.outline, shape.has_crisp_edges);
+        self.shapes.push(Outlined { path, outline, hairline, transform, is_crisp });
         self.shaders.push(shader);
         let (shape_number, shader) = (self.shapes.len() - 1, self.shaders.len() - 1);
         steps.push(Step::Fill { shape: shape_number, rule: shape.outline.rule(), shader, blend });
@@ -187,7 +191,13 @@ impl<'a> Compiler<'a> {
             for shape in &clip.shapes {
                 let own = shape.clip.as_deref().map(|clip| self.clip(clip, depth + 1));
                 let transform = self.base * shape.transform;
-                self.shapes.push(Outlined { path: &shape.path, outline: &NON_ZERO, hairline: None, transform });
+                self.shapes.push(Outlined {
+                    path: &shape.path,
+                    outline: &NON_ZERO,
+                    hairline: None,
+                    transform,
+                    is_crisp: false,
+                });
                 shapes.push((self.shapes.len() - 1, shape.rule, own));
             }
             intersect = clip.intersect.as_deref().map(|clip| self.clip(clip, depth + 1));

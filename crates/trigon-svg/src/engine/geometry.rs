@@ -22,6 +22,8 @@ pub(crate) struct Outlined<'a> {
     pub(crate) hairline: Option<Hairline>,
     /// Pixels from path space.
     pub(crate) transform: Transform,
+    /// Tested at the centres of pixels alone.
+    pub(crate) is_crisp: bool,
 }
 
 /// The edges of all shapes of a drawing.
@@ -47,6 +49,7 @@ struct ShapeEdges {
     first_end: u32,
     /// False if each band has to look at all edges of the shape.
     is_sorted: bool,
+    is_crisp: bool,
 }
 
 /// A shape by its number.
@@ -61,14 +64,16 @@ impl Geometry {
     pub(crate) fn new(shapes: &[Outlined<'_>], samples: &SampleRows, size: [u32; 2], threads: usize) -> Self {
         let mut chunks: Vec<Chunk> = Vec::new();
         chunks.resize_with(shapes.len().div_ceil(CHUNK), Chunk::default);
-        let mut builders: Vec<EdgeBuilder<'_>> =
-            (0..threads.clamp(1, chunks.len().max(1))).map(|_| EdgeBuilder::new(samples, size)).collect();
+        let builders = |_| [samples, SampleRows::centers()].map(|samples| EdgeBuilder::new(samples, size));
+        let mut builders: Vec<[EdgeBuilder<'_>; 2]> =
+            (0..threads.clamp(1, chunks.len().max(1))).map(builders).collect();
         let work = chunks.iter_mut().zip(shapes.chunks(CHUNK));
-        trigon::schedule::share(&mut builders, work, |builder, (chunk, shapes): (&mut Chunk, &[Outlined<'_>])| {
+        trigon::schedule::share(&mut builders, work, |builders, (chunk, shapes): (&mut Chunk, &[Outlined<'_>])| {
             for shape in shapes {
+                let builder = &mut builders[usize::from(shape.is_crisp)];
                 builder.clear();
                 build(shape, builder);
-                chunk.add(builder);
+                chunk.add(builder, shape.is_crisp);
             }
         });
         Self { chunks }
@@ -85,6 +90,11 @@ impl<'a> ShapeRef<'a> {
     /// The pixels that it may touch.
     pub(crate) fn bounds(self) -> Bounds {
         self.shape.bounds
+    }
+
+    /// True if its edges are those for samples at the centres of pixels.
+    pub(crate) fn is_crisp(self) -> bool {
+        self.shape.is_crisp
     }
 
     /// The edges that meet a band; where sorting was given up, some that do not.
@@ -151,7 +161,7 @@ impl LineSink for EdgeBuilder<'_> {
 
 impl Chunk {
     /// Takes over the shape that a builder holds.
-    fn add(&mut self, builder: &EdgeBuilder<'_>) {
+    fn add(&mut self, builder: &EdgeBuilder<'_>, is_crisp: bool) {
         let edges = builder.edges();
         let bounds = Bounds { columns: builder.columns(), rows: builder.rows() };
         let (first_edge, first_end) = (self.edges.len() as u32, self.ends.len() as u32);
@@ -160,7 +170,7 @@ impl Chunk {
             self.edges.extend_from_slice(edges);
             self.ends.push(self.edges.len() as u32);
         }
-        self.shapes.push(ShapeEdges { bounds, first_edge, first_end, is_sorted });
+        self.shapes.push(ShapeEdges { bounds, first_edge, first_end, is_sorted, is_crisp });
     }
 
     /// Copies each edge into each band that it meets, in order. Gives up, with nothing changed, if there would be far

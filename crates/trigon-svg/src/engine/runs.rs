@@ -63,6 +63,13 @@ impl RunRows {
         &self.runs[start as usize..*end as usize]
     }
 
+    /// Makes every pixel that is covered at all covered whole.
+    pub(crate) fn cover_whole(&mut self, full_mask: u16) {
+        for run in &mut self.runs {
+            run.mask = full_mask;
+        }
+    }
+
     /// True if nothing is covered.
     pub(crate) fn is_empty(&self) -> bool {
         self.runs.is_empty()

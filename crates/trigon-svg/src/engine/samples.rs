@@ -3,6 +3,7 @@
 //! Coordinates are 24.8 fixed point, in 1/256 px. Sample rows are numbered through the picture, `rows()` to a pixel row,
 //! top down. A sample's number within its pixel is `row * columns() + column`.
 
+use std::sync::OnceLock;
 use trigon::target::SamplePattern;
 
 /// Most sample rows in a pixel row.
@@ -46,6 +47,12 @@ impl SampleRows {
             *before = ys.iter().map(|y| u8::from(*y < fraction)).sum();
         }
         Self { rows, columns, offset_y, shift_x, columns_from, rows_before }
+    }
+
+    /// One sample, at the centre: where shapes with crisp edges are tested.
+    pub(crate) fn centers() -> &'static Self {
+        static CENTERS: OnceLock<SampleRows> = OnceLock::new();
+        CENTERS.get_or_init(|| Self::new(SamplePattern::CENTER))
     }
 
     /// Sample rows in a pixel row.

@@ -139,6 +139,7 @@ impl<'a> Converter<'a> {
             return;
         }
         let outline = Arc::new(path(shape.data()));
+        out.set_crisp_edges(!shape.rendering_mode().use_shape_antialiasing());
         match shape.paint_order() {
             usvg::PaintOrder::FillAndStroke => {
                 self.fill(out, shape, &outline, pixels_from_path);
@@ -149,6 +150,7 @@ impl<'a> Converter<'a> {
                 self.fill(out, shape, &outline, pixels_from_path);
             }
         }
+        out.set_crisp_edges(false);
     }
 
     fn fill(&mut self, out: &mut Drawing, shape: &usvg::Path, outline: &Arc<Path>, pixels_from_path: Transform) {
@@ -261,10 +263,7 @@ impl<'a> Converter<'a> {
             usvg::BlendMode::Saturation => BlendMode::Saturation,
             usvg::BlendMode::Color => BlendMode::Color,
             usvg::BlendMode::Luminosity => BlendMode::Luminosity,
-            usvg::BlendMode::PlusLighter => {
-                self.warnings.add("the blend mode plus-lighter is drawn as normal");
-                BlendMode::Normal
-            }
+            usvg::BlendMode::PlusLighter => BlendMode::PlusLighter,
         }
     }
 }
