@@ -34,6 +34,7 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
         sampling: texture_sampling(options),
         line_width_px: shading.line_width.to_f32(),
         point_size_px: shading.point_size.to_f32(),
+        shadows: options.effects.shadows(),
         ..RenderSettings::new(picture.size.width, picture.size.height)
     };
     settings.wireframe = shading.wireframe.map(|mode| wireframe(mode, &settings));

@@ -42,7 +42,7 @@
 //!
 //! # Non-goals
 //!
-//! - Light that travels: no shadows, reflections or refraction. Physically based values of materials are kept, not drawn.
+//! - Light that bounces: no reflections or refraction. Physically based values of materials are kept, not drawn.
 //! - A scene graph or animation: a scene is flat lists that a program may change from frame to frame.
 //! - Writing models, or editing meshes beyond what drawing needs.
 //! - Windows and picture files: see `trigon-image` for the latter.

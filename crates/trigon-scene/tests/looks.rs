@@ -4,8 +4,8 @@ use std::sync::Arc;
 use trigon::pipeline::{Picture, Renderer, RendererOptions};
 use trigon_scene::load::{LoadOptions, Loaded, MemoryResolver, load_bytes};
 use trigon_scene::math::Mat4;
-use trigon_scene::render::{RenderSettings, SceneRenderer, ShaderKind};
-use trigon_scene::scene::{Framing, Scene};
+use trigon_scene::render::{RenderError, RenderSettings, SceneRenderer, ShaderKind, Shadows};
+use trigon_scene::scene::{Framing, Light, LightKind, Scene};
 
 const SIZE: u32 = 96;
 
@@ -195,4 +195,86 @@ fn what_is_kept_but_not_drawn_is_said() {
     let shown: Vec<_> = loaded.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(shown, ["m.mtl:2: map refl is read but not drawn", "m.mtl:3: map decal is read but not drawn"]);
     assert!(loaded.scene.materials[0].maps.roughness.is_some());
+}
+
+/// A floor, and a plate of half its width above it; light from straight above.
+#[test]
+fn a_plate_shades_the_floor_below_it_and_nothing_else() {
+    let square = |y: f32, half: f32| {
+        format!(
+            "v -{half} {y} -{half}\nv {half} {y} -{half}\nv {half} {y} {half}\nv -{half} {y} {half}\nf -1 -2 -3 -4\n"
+        )
+    };
+    let light = |kind| Light::new(kind, 40.0);
+    let kinds = [
+        LightKind::Directional { direction: [0.0, -1.0, 0.0] },
+        LightKind::Point { position: [0.0, 30.0, 0.0] },
+        LightKind::Spot { position: [0.0, 30.0, 0.0], direction: [0.0, -1.0, 0.0], inner_angle: 0.4, outer_angle: 0.5 },
+    ];
+    for kind in kinds {
+        let mut scene = scene(&(square(0.0, 2.0) + &square(1.0, 1.0)), "Kd 1 1 1");
+        scene.lights = vec![light(kind)];
+        let mut settings = settings();
+        settings.outputs.position = true;
+        settings.samples = trigon::target::SamplePattern::CENTER;
+        let without = draw(&scene, &settings);
+        let (positions, with) =
+            positions_and_codes(&scene, &RenderSettings { shadows: Some(Shadows::default()), ..settings });
+        let (mut dark, mut bright) = (0, 0);
+        for ((p, with), without) in positions.iter().zip(&with).zip(&without).filter(|((p, _), _)| **p != [0.0; 3]) {
+            let from_middle = p[0].abs().max(p[2].abs());
+            if p[1] < 0.5 && from_middle < 0.9 {
+                assert_eq!(*with, [0, 0, 0, 255], "{kind:?} {p:?}");
+                dark += 1;
+            } else if p[1] > 0.5 || from_middle > 1.2 {
+                assert_eq!(with, without, "{kind:?} {p:?}");
+                bright += 1;
+            }
+        }
+        assert!(dark > 100 && bright > 1000, "{kind:?}: {dark}, {bright}");
+    }
+}
+
+/// No acne: on a sphere, shadows change only what lies near the edge of the lit side.
+#[test]
+fn a_convex_body_does_not_shade_its_lit_side() {
+    let mut scene = scene(&sphere(), "Kd 1 1 1");
+    let direction = [-0.6, -0.5, -0.4];
+    scene.lights = vec![Light::new(LightKind::Directional { direction }, 1.0)];
+    let mut settings = settings();
+    settings.outputs.normal = true;
+    settings.outputs.position = true;
+    settings.samples = trigon::target::SamplePattern::CENTER;
+    let without = draw(&scene, &settings);
+    for map_size in [64, 512, 4096] {
+        let shadows = Some(Shadows { map_size, ..Shadows::default() });
+        let (positions, with) = positions_and_codes(&scene, &RenderSettings { shadows, ..settings });
+        for ((p, with), without) in positions.iter().zip(with).zip(&without) {
+            // The sphere is the unit one: its points are its normals.
+            let cosine = -(p[0] * -0.6 + p[1] * -0.5 + p[2] * -0.4) / 0.877;
+            assert!(cosine < 0.3 || with == *without, "{map_size} {p:?}: {with:?} instead of {without:?}");
+        }
+    }
+}
+
+#[test]
+fn shadow_maps_of_no_size_are_an_error() {
+    let scene = scene(SQUARE, "Kd 1 1 1");
+    for map_size in [0, 16_385] {
+        let settings = RenderSettings { shadows: Some(Shadows { map_size, ..Shadows::default() }), ..settings() };
+        let mut renderer = Renderer::new(RendererOptions::from_env().unwrap()).unwrap();
+        let camera = Framing::default().camera(&scene);
+        let drawn = SceneRenderer::new().render(&mut renderer, &scene, &camera, &settings, &mut Picture::default());
+        assert_eq!(drawn.unwrap_err(), RenderError::ShadowMapSize(map_size));
+    }
+}
+
+/// World positions, zero where nothing is, and the stored codes.
+fn positions_and_codes(scene: &Scene, settings: &RenderSettings) -> (Vec<[f32; 3]>, Vec<[u8; 4]>) {
+    let mut renderer = Renderer::new(RendererOptions::from_env().unwrap()).unwrap();
+    let mut picture = Picture::default();
+    let camera = Framing::default().camera(scene);
+    let drawn = SceneRenderer::new().render(&mut renderer, scene, &camera, settings, &mut picture);
+    assert_eq!(drawn.unwrap().1, []);
+    (picture.position.unwrap().into_values(), picture.color.unwrap().into_values())
 }

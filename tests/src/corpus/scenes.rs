@@ -8,7 +8,7 @@ use std::sync::Arc;
 use trigon::pipeline::{Picture, Renderer, RendererOptions};
 use trigon::target::ShadingRate;
 use trigon_scene::load::{LoadOptions, MemoryResolver, load_bytes};
-use trigon_scene::render::{RenderSettings, SceneRenderer, ShaderKind, Wireframe};
+use trigon_scene::render::{RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe};
 use trigon_scene::scene::{Camera, Framing, Light, LightKind, Projection, Scene};
 
 /// A file of `assets/`, with the path that models know it by.
@@ -76,10 +76,20 @@ pub(super) fn frames() -> Vec<NamedFrame> {
     let mut wireframe = small;
     wireframe.wireframe = Some(Wireframe::default());
 
+    let mut shadows = small;
+    // Large enough for several threads.
+    shadows.shadows = Some(Shadows { map_size: 256, ..Shadows::default() });
+    let mut hard_shadows = small;
+    hard_shadows.shadows = Some(Shadows { map_size: 150, bias: Some(0.01), softness: 0.0 });
+
+    let lit = Rc::new(lit);
     let mut frames = vec![
         frame("still-life", &Rc::new(still_life), &RenderSettings { width: 240, height: 180, ..small }).large(),
         frame("still-life-with-tangents", &Rc::new(tangents), &small),
-        frame("every-kind-of-light", &Rc::new(lit), &small),
+        frame("every-kind-of-light", &lit, &small),
+        frame("shadows-of-every-kind-of-light", &lit, &shadows).large(),
+        frame("hard-shadows", &lit, &hard_shadows),
+        frame("shadows-of-cut-outs", &Rc::new(load(STILL_LIFE)), &shadows).large(),
         frame("shaded-by-sample", &Rc::new(load(TEAPOT)), &by_sample),
         frame("anisotropic", &Rc::new(load(CUBE)), &anisotropic),
         frame("wireframe", &Rc::new(load(CUBE)), &wireframe),

@@ -4,6 +4,7 @@
 
 mod choices;
 mod cli;
+mod effects;
 mod given;
 mod input;
 mod machine;
@@ -24,6 +25,7 @@ pub(crate) use choices::{
     WireframeChoice, WrapChoice,
 };
 pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
+pub(crate) use effects::EffectOptions;
 pub(crate) use given::Given;
 pub(crate) use input::InputOptions;
 pub(crate) use machine::MachineOptions;

@@ -1,8 +1,8 @@
 //! Options of `trigon render`.
 
 use super::{
-    InputOptions, MachineOptions, OutputOptions, PictureOptions, ShadingOptions, SvgInputOptions, TextureOptions,
-    ViewOptions,
+    EffectOptions, InputOptions, MachineOptions, OutputOptions, PictureOptions, ShadingOptions, SvgInputOptions,
+    TextureOptions, ViewOptions,
 };
 use clap::Args;
 use std::path::PathBuf;
@@ -22,6 +22,8 @@ pub(crate) struct RenderOptions {
     pub(crate) view: ViewOptions,
     #[command(flatten)]
     pub(crate) shading: ShadingOptions,
+    #[command(flatten)]
+    pub(crate) effects: EffectOptions,
     #[command(flatten)]
     pub(crate) textures: TextureOptions,
     #[command(flatten)]

@@ -32,6 +32,27 @@ impl Positive {
     }
 }
 
+/// A finite number, zero or above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct NonNegative(pub(crate) f64);
+
+impl NonNegative {
+    /// The number, rounded to `f32`.
+    #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
+    pub(crate) fn to_f32(self) -> f32 {
+        self.0 as f32
+    }
+}
+
+impl FromStr for NonNegative {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = f64::from(parse_finite_f32(text)?);
+        if number >= 0.0 { Ok(Self(number)) } else { Err(format!("{number} is below zero")) }
+    }
+}
+
 impl FromStr for Positive {
     type Err = String;
 
@@ -59,5 +80,7 @@ mod tests {
         assert_eq!("0.25".parse(), Ok(Positive(0.25)));
         assert!("0".parse::<Positive>().unwrap_err().contains("above zero"));
         assert!("-1".parse::<Positive>().is_err());
+        assert_eq!("0".parse(), Ok(NonNegative(0.0)));
+        assert!("-1".parse::<NonNegative>().unwrap_err().contains("below zero"));
     }
 }

@@ -10,6 +10,7 @@ use super::settings::{RenderSettings, Wireframe};
 use super::shader_kind::ShaderKind;
 use super::shaders::{BlinnPhong, Full, MeshView, Overlay, Plain, Stroke};
 use super::sorting::{SortedPrimitives, back_to_front};
+use crate::math::Mat4;
 use crate::scene::{Instance, Mesh, Submesh};
 use trigon::geometry::{Cull, Indices, Primitives};
 use trigon::raster::DepthTest;
@@ -101,8 +102,9 @@ impl Piece<'_> {
         settings.shader.shows_materials() && self.surface.coverage == Coverage::Blend
     }
 
-    fn view(&self, frame: &FrameUniforms) -> MeshView<'_> {
-        MeshView::new(self.mesh, self.instance, &frame.clip_from_world)
+    /// The mesh as the eye or a light sees it.
+    pub(super) fn view(&self, clip_from_world: &Mat4) -> MeshView<'_> {
+        MeshView::new(self.mesh, self.instance, clip_from_world)
     }
 
     fn triangles<'f>(&'f self, settings: &RenderSettings, frame: &'f FrameUniforms) -> Option<Item<'f>> {
@@ -111,7 +113,12 @@ impl Piece<'_> {
         let shader = if is_hidden {
             // Surfaces in the colour of the background hide the lines behind them.
             let color = settings.background;
-            Box::new(Stroke { mesh: self.view(frame), color, uses_vertex_colors: false, clip_z_offset: 0.0 })
+            Box::new(Stroke {
+                mesh: self.view(&frame.clip_from_world),
+                color,
+                uses_vertex_colors: false,
+                clip_z_offset: 0.0,
+            })
         } else {
             self.shader(settings, frame, false)
         };
@@ -153,7 +160,7 @@ impl Piece<'_> {
         let color = if self.surface.is_neutral { settings.ink() } else { self.surface.diffuse };
         let [r, g, b] = color.map(|c| c * alpha);
         let shader = Box::new(Stroke {
-            mesh: self.view(frame),
+            mesh: self.view(&frame.clip_from_world),
             color: [r, g, b, alpha],
             uses_vertex_colors: !self.mesh.colors.is_empty(),
             clip_z_offset: towards_eye(frame, width_px),
@@ -171,7 +178,7 @@ impl Piece<'_> {
         frame: &'f FrameUniforms,
         is_point: bool,
     ) -> Box<dyn ErasedShader + 'f> {
-        let mesh = self.view(frame);
+        let mesh = self.view(&frame.clip_from_world);
         let is_flat = settings.shader == ShaderKind::Flat;
         let is_lit = !is_point || self.facts.has_point_normals;
         macro_rules! shader {
@@ -250,7 +257,7 @@ fn wireframes<'f>(
         let indices = Indices::List(piece.facts.edges.as_flattened());
         Item {
             shader: Box::new(Stroke {
-                mesh: piece.view(frame),
+                mesh: piece.view(&frame.clip_from_world),
                 color,
                 uses_vertex_colors: false,
                 clip_z_offset: towards_eye(frame, width_px),

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use trigon::pipeline::FrameError;
+use trigon::target::MAX_SIZE;
 
 /// Why a scene could not be drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -9,12 +10,17 @@ use trigon::pipeline::FrameError;
 pub enum RenderError {
     /// The size of the picture or the number of primitives is out of range.
     Frame(FrameError),
+    /// Shadow maps of this many texels a side, outside 1..=16 384.
+    ShadowMapSize(u32),
 }
 
 impl fmt::Display for RenderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Frame(error) => write!(f, "{error}"),
+            Self::ShadowMapSize(size) => {
+                write!(f, "shadow maps of {size} texels a side are outside 1..={MAX_SIZE}; ask for another size")
+            }
         }
     }
 }
@@ -23,6 +29,7 @@ impl std::error::Error for RenderError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Frame(error) => Some(error),
+            Self::ShadowMapSize(_) => None,
         }
     }
 }

@@ -10,6 +10,8 @@ pub(super) struct FrameUniforms {
     /// The eye and 1, or the unit vector towards an infinitely distant eye and 0.
     pub(super) eye: [f32; 4],
     pub(super) lighting: Lighting,
+    /// Whether sources have shadow maps.
+    pub(super) has_shadows: bool,
     /// Clip z gained by moving towards the eye: multiplied by the share of the way.
     pub(super) clip_z_towards_eye: f32,
     /// Size of a pixel over its distance (perspective), or over the depth range (orthographic).
@@ -42,6 +44,7 @@ impl FrameUniforms {
             clip_from_world,
             eye,
             lighting: Lighting::new(&scene.lights, camera),
+            has_shadows: false,
             clip_z_towards_eye: towards_eye as f32,
             pixel_slope: pixel_slope as f32,
             depth_axis: if shows_depth { depth_axis(scene, camera) } else { [0.0; 4] },

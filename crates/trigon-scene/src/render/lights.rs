@@ -4,6 +4,7 @@
 //! camera, so that a model looks good from every side: a key light from the upper left, a weak fill from the right, a
 //! rim light from behind, and a sky that is brighter than the ground. Their sum keeps white surfaces just below white.
 
+use super::shadow_map::ShadowMap;
 use crate::math::vec3::{self, Vec3};
 use crate::scene::{Camera, Light, LightKind};
 
@@ -35,6 +36,10 @@ pub(super) struct Source {
     pub(super) cone: Option<Cone>,
     /// Whether it makes highlights.
     pub(super) has_highlight: bool,
+    /// Whether it casts shadows in frames with shadows.
+    pub(super) casts_shadows: bool,
+    /// What it sees, if it casts shadows in this frame.
+    pub(super) shadow: Option<ShadowMap>,
 }
 
 /// The cone of a spot light.
@@ -42,6 +47,8 @@ pub(super) struct Cone {
     /// Unit vector from the light towards the scene.
     pub(super) axis: [f32; 3],
     pub(super) cos_outer: f32,
+    /// In radians, 0 to pi.
+    pub(super) outer_angle: f64,
     /// 1 / (cosine of the inner angle - cosine of the outer one).
     pub(super) inverse_range: f32,
 }
@@ -61,6 +68,8 @@ impl Lighting {
                 color,
                 cone,
                 has_highlight: true,
+                casts_shadows: true,
+                shadow: None,
             };
             match light.kind {
                 LightKind::Ambient => {
@@ -88,14 +97,18 @@ impl Lighting {
             let sum = vec3::add(vec3::add(vec3::scale(right, x), vec3::scale(up, y)), vec3::scale(forward, -z));
             vec3::normalized(sum).unwrap_or([0.0, 1.0, 0.0])
         };
+        // One set of shadows shows a shape; those of the weak lights would only stain it.
         let source = |to_light: Vec3, color: [f32; 3], has_highlight: bool| Source {
             place: vec3::narrow(to_light),
             is_directional: true,
             color,
             cone: None,
             has_highlight,
+            casts_shadows: false,
+            shadow: None,
         };
-        let key = source(from(-0.5, 0.75, 0.8), [0.72, 0.695, 0.655], true);
+        let mut key = source(from(-0.5, 0.75, 0.8), [0.72, 0.695, 0.655], true);
+        key.casts_shadows = true;
         let fill = source(from(0.9, 0.1, 0.55), [0.10, 0.12, 0.15], false);
         let rim = source(from(0.45, 0.55, -0.75), [0.28, 0.30, 0.34], true);
         let world_up = vec3::normalized(camera.up).unwrap_or(up);
@@ -118,13 +131,14 @@ impl Cone {
     #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
     fn new(direction: Vec3, inner: f64, outer: f64) -> Self {
         let half_turn = std::f64::consts::PI;
-        let cosine = |angle: f64| libm::cos(if angle.is_nan() { 0.0 } else { angle.clamp(0.0, half_turn) });
-        let (cos_inner, cos_outer) = (cosine(inner.min(outer)), cosine(outer));
+        let within = |angle: f64| if angle.is_nan() { 0.0 } else { angle.clamp(0.0, half_turn) };
+        let (cos_inner, cos_outer) = (libm::cos(within(inner.min(outer))), libm::cos(within(outer)));
         // A hard edge is a very steep one.
         let range = (cos_inner - cos_outer).max(1e-4);
         Self {
             axis: vec3::narrow(vec3::normalized(direction).unwrap_or([0.0, -1.0, 0.0])),
             cos_outer: cos_outer as f32,
+            outer_angle: within(outer),
             inverse_range: (1.0 / range) as f32,
         }
     }

@@ -122,7 +122,7 @@ impl Needs {
     }
 
     fn is_lit(&self) -> bool {
-        matches!(self.shader, ShaderKind::BlinnPhong | ShaderKind::Flat)
+        self.shader.is_lit()
     }
 
     /// The lighting model that is drawn.

@@ -5,6 +5,7 @@
 
 mod draws;
 mod edges;
+mod effects;
 mod error;
 mod frame;
 mod lights;
@@ -14,10 +15,12 @@ mod scene_renderer;
 mod settings;
 mod shader_kind;
 mod shaders;
+mod shadow_map;
 mod sorting;
 mod texture_cache;
 mod texture_upload;
 
+pub use effects::Shadows;
 pub use error::RenderError;
 pub use scene_renderer::SceneRenderer;
 pub use settings::{AlphaMode, RenderSettings, TextureSampling, Wireframe};

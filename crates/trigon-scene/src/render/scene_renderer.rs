@@ -11,6 +11,7 @@ use super::material::{Needs, Surface, VertexFacts, wanted};
 use super::overdraw::color_counts;
 use super::settings::RenderSettings;
 use super::shader_kind::ShaderKind;
+use super::shadow_map::ShadowMemory;
 use super::texture_cache::TextureCache;
 use crate::load::Warning;
 use crate::scene::{Camera, Instance, LightKind, Material, Mesh, Scene};
@@ -25,6 +26,7 @@ pub struct SceneRenderer {
     textures: TextureCache,
     facts: Vec<MeshFacts>,
     neutral: Material,
+    shadows: ShadowMemory,
 }
 
 /// What is known of a mesh beyond its data.
@@ -75,7 +77,7 @@ impl SceneRenderer {
     ///
     /// # Errors
     ///
-    /// A picture size outside 1..=16 384, or more primitives than 32-bit numbers can name.
+    /// A picture or shadow map size outside 1..=16 384, or more primitives than 32-bit numbers can name.
     pub fn render(
         &mut self,
         renderer: &mut Renderer,
@@ -86,13 +88,24 @@ impl SceneRenderer {
     ) -> Result<(FrameStatistics, Vec<Warning>), RenderError> {
         let warnings = self.prepare(scene, settings);
         let size = [settings.width, settings.height];
-        let uniforms = FrameUniforms::new(scene, camera, size, settings.shader == ShaderKind::Depth);
+        let mut uniforms = FrameUniforms::new(scene, camera, size, settings.shader == ShaderKind::Depth);
+        let mut shadows = std::mem::take(&mut self.shadows);
         let pieces = self.pieces(scene, settings);
+        let mut passes = FrameStatistics::default();
+        if let Some(settings) = settings.shadows.filter(|_| settings.shows_light()) {
+            passes = shadows.draw(renderer, scene, &pieces, &settings, &mut uniforms.lighting)?;
+            uniforms.has_shadows = true;
+        }
         let blended = draws::sort_blended(&pieces, settings, &uniforms);
         let items = draws::list(&pieces, &blended, settings, &uniforms);
         let draws: Vec<Draw<'_>> = (0u32..).zip(&items).map(|(number, item)| draw(item, number)).collect();
-        let statistics = renderer.render(&frame(settings), &draws, picture)?;
+        let mut statistics = renderer.render(&frame(settings), &draws, picture)?;
+        statistics.geometry_time += passes.geometry_time;
+        statistics.tile_time += passes.tile_time;
         finish(picture, settings, &items);
+        drop(items);
+        shadows.take_back(uniforms.lighting);
+        self.shadows = shadows;
         Ok((statistics, warnings))
     }
 

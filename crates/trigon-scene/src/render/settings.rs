@@ -1,6 +1,6 @@
 //! How a scene is drawn: everything that is neither scene nor camera.
 
-use super::ShaderKind;
+use super::{ShaderKind, Shadows};
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
@@ -37,6 +37,8 @@ pub struct RenderSettings {
     pub line_width_px: f32,
     /// Size of the scene's points, in pixels.
     pub point_size_px: f32,
+    /// Whether lights cast shadows, and how; none by default.
+    pub shadows: Option<Shadows>,
 }
 
 impl RenderSettings {
@@ -57,7 +59,13 @@ impl RenderSettings {
             wireframe: None,
             line_width_px: 1.5,
             point_size_px: 3.0,
+            shadows: None,
         }
+    }
+
+    /// Whether the colours depend on lights.
+    pub(super) fn shows_light(&self) -> bool {
+        (self.outputs.color || self.outputs.color_f32) && self.shader.is_lit()
     }
 
     /// The default background: sRGB #e6e8eb, a light cool grey on which light and dark models both stand out.

@@ -93,6 +93,11 @@ impl ShaderKind {
         }
     }
 
+    /// Whether it draws materials under the lights.
+    pub(super) fn is_lit(self) -> bool {
+        matches!(self, Self::BlinnPhong | Self::Flat)
+    }
+
     /// Whether it draws materials with their colours.
     pub(super) fn shows_materials(self) -> bool {
         matches!(self, Self::BlinnPhong | Self::Flat | Self::Unlit)

@@ -6,6 +6,7 @@
 use super::lighting::{Reflected, reflect};
 use super::maps::{Factors, Footprint};
 use super::normal::NormalSource;
+use super::obstacles::{Nothing, Obstacles, Shadowed};
 use super::point::{SurfacePoint, footprint};
 use super::vertex::{Attributes, Layout, MeshView};
 use crate::render::frame::FrameUniforms;
@@ -74,7 +75,12 @@ impl<A: Layout> Shader for BlinnPhong<'_, A> {
 
     #[inline(always)]
     fn fragment<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Rgba<L> {
-        self.material().shade(l, &self.point(l, f))
+        let point = self.point(l, f);
+        if self.frame.has_shadows {
+            self.material().shade_in_shadow(l, &point)
+        } else {
+            self.material().shade(l, &point)
+        }
     }
 
     #[inline(always)]
@@ -107,12 +113,21 @@ impl Lit<'_> {
     fn shade<L: Lanes>(&self, l: L, point: &SurfacePoint<L>) -> Rgba<L> {
         l.vectorize(
             #[inline(always)]
-            || self.shade_inline(l, point),
+            || self.shade_inline(l, point, &Nothing),
+        )
+    }
+
+    /// The same where lights cast shadows: a copy of the code, so that the plain one asks for nothing.
+    #[inline(never)]
+    fn shade_in_shadow<L: Lanes>(&self, l: L, point: &SurfacePoint<L>) -> Rgba<L> {
+        l.vectorize(
+            #[inline(always)]
+            || self.shade_inline(l, point, &Shadowed),
         )
     }
 
     #[inline(always)]
-    fn shade_inline<L: Lanes>(&self, l: L, point: &SurfacePoint<L>) -> Rgba<L> {
+    fn shade_inline<L: Lanes, O: Obstacles<L>>(&self, l: L, point: &SurfacePoint<L>, obstacles: &O) -> Rgba<L> {
         let surface = self.surface;
         let factors = Factors::read(l, &surface.maps, &point.footprint);
         let color = point.color.xyz();
@@ -136,7 +151,7 @@ impl Lit<'_> {
         }
         let shines = self.illumination == Illumination::Specular && surface.specular != [0.0; 3];
         let exponent = if shines { Some(factors.get(Slot::Exponent).r * surface.exponent) } else { None };
-        let Reflected { diffuse: diffuse_light, specular } = reflect(l, lighting, point, normal, exponent);
+        let Reflected { diffuse: diffuse_light, specular } = reflect(l, lighting, obstacles, point, normal, exponent);
         if shines {
             other += (l.vec3(surface.specular) * factors.get(Slot::Specular).rgb()) * specular;
         }

@@ -4,6 +4,7 @@
 //! the exponent, on the lit side only. With unit vectors N.H = (N.L + N.V) / sqrt(2 + 2 L.V), so that no half vector
 //! has to be made.
 
+use super::obstacles::Obstacles;
 use super::point::SurfacePoint;
 use crate::render::lights::{Lighting, Sky, Source};
 use trigon::lanes::{F32, Lanes, Vec3};
@@ -15,11 +16,12 @@ pub(super) struct Reflected<L: Lanes> {
     pub(super) specular: Vec3<L>,
 }
 
-/// Light from the sky and all sources; `exponent` is that of highlights, if there are any.
+/// Light from the sky and all sources, as far as `obstacles` let it; `exponent` is that of highlights, if there are any.
 #[inline(always)]
-pub(super) fn reflect<L: Lanes>(
+pub(super) fn reflect<L: Lanes, O: Obstacles<L>>(
     l: L,
     lighting: &Lighting,
+    obstacles: &O,
     point: &SurfacePoint<L>,
     normal: Vec3<L>,
     exponent: Option<F32<L>>,
@@ -33,6 +35,7 @@ pub(super) fn reflect<L: Lanes>(
     for source in &lighting.sources {
         let (to_light, strength) = source.reach(l, point.position);
         let cosine = normal.dot(to_light);
+        let strength = obstacles.pass(l, source, point, to_light, cosine, strength);
         let lit = cosine.max(0.0) * strength;
         sum.diffuse += l.vec3(source.color) * lit;
         let Some(exponent) = exponent else { continue };
