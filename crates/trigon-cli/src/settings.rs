@@ -35,6 +35,9 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
         line_width_px: shading.line_width.to_f32(),
         point_size_px: shading.point_size.to_f32(),
         shadows: options.effects.shadows(),
+        ambient_occlusion: options.effects.ambient_occlusion(),
+        toon_levels: options.effects.toon_levels,
+        outline: options.effects.outline(),
         ..RenderSettings::new(picture.size.width, picture.size.height)
     };
     settings.wireframe = shading.wireframe.map(|mode| wireframe(mode, &settings));
@@ -44,7 +47,9 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
 /// Light grey behind surfaces as they look, black behind colours that stand for numbers.
 fn default_background(shader: ShaderKind) -> [f32; 4] {
     match shader {
-        ShaderKind::BlinnPhong | ShaderKind::Flat | ShaderKind::Unlit => RenderSettings::DEFAULT_BACKGROUND,
+        ShaderKind::BlinnPhong | ShaderKind::Flat | ShaderKind::Toon | ShaderKind::Unlit => {
+            RenderSettings::DEFAULT_BACKGROUND
+        }
         _ => [0.0, 0.0, 0.0, 1.0],
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use trigon::pipeline::{Picture, Renderer, RendererOptions};
 use trigon::target::ShadingRate;
 use trigon_scene::load::{LoadOptions, MemoryResolver, load_bytes};
-use trigon_scene::render::{RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe};
+use trigon_scene::render::{AmbientOcclusion, Outline, RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe};
 use trigon_scene::scene::{Camera, Framing, Light, LightKind, Projection, Scene};
 
 /// A file of `assets/`, with the path that models know it by.
@@ -82,6 +82,11 @@ pub(super) fn frames() -> Vec<NamedFrame> {
     let mut hard_shadows = small;
     hard_shadows.shadows = Some(Shadows { map_size: 150, bias: Some(0.01), softness: 0.0 });
 
+    let mut occluded = RenderSettings { width: 240, height: 180, ..small };
+    occluded.ambient_occlusion = Some(AmbientOcclusion { samples: 9, ..AmbientOcclusion::default() });
+    let mut outlined = RenderSettings { width: 240, height: 180, ..small };
+    outlined.outline = Some(Outline { width_px: 3.0, color: [0.2, 0.1, 0.0, 0.5], ..Outline::default() });
+
     let lit = Rc::new(lit);
     let mut frames = vec![
         frame("still-life", &Rc::new(still_life), &RenderSettings { width: 240, height: 180, ..small }).large(),
@@ -89,6 +94,8 @@ pub(super) fn frames() -> Vec<NamedFrame> {
         frame("every-kind-of-light", &lit, &small),
         frame("shadows-of-every-kind-of-light", &lit, &shadows).large(),
         frame("hard-shadows", &lit, &hard_shadows),
+        frame("ambient-occlusion", &Rc::new(load(STILL_LIFE)), &occluded).large(),
+        frame("outlines", &Rc::new(load(STILL_LIFE)), &outlined).large(),
         frame("shadows-of-cut-outs", &Rc::new(load(STILL_LIFE)), &shadows).large(),
         frame("shaded-by-sample", &Rc::new(load(TEAPOT)), &by_sample),
         frame("anisotropic", &Rc::new(load(CUBE)), &anisotropic),

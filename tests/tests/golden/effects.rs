@@ -1,6 +1,6 @@
-//! Shadows.
+//! Shadows, ambient occlusion, toon shading, outlines.
 
-use trigon_scene::render::Shadows;
+use trigon_scene::render::{AmbientOcclusion, Outline, ShaderKind, Shadows};
 use trigon_scene::scene::{Light, LightKind};
 use trigon_tests::golden::{Shot, sphere};
 
@@ -68,4 +68,51 @@ fn bias_of_shadows() {
     let sun = Light::new(LightKind::Directional { direction: [1.0, -1.2, -0.5] }, 0.85);
     shadows(sphere_and_leaf().lights([sun, ambient()]), Shadows { bias: Some(0.5), ..small() })
         .check("effects/shadow-with-much-bias");
+}
+
+/// Dark where the sphere meets the floor, and where the leaf does.
+#[test]
+fn occlusion_alone() {
+    sphere_and_leaf().shader(ShaderKind::Occlusion).check("effects/occlusion");
+}
+
+/// Light from all around is dimmed, the sun is not.
+#[test]
+fn ambient_occlusion_of_a_corner() {
+    let corner =
+        "v -1 -1 -1\nv 1 -1 -1\nv 1 -1 1\nv -1 -1 1\nv -1 1 -1\nv 1 1 -1\nv -1 1 1\nf 4 3 2 1\nf 1 2 6 5\nf 4 1 5 7\n";
+    let sun = Light::new(LightKind::Directional { direction: [-1.0, -0.2, -0.2] }, 0.3);
+    Shot::obj(&format!("usemtl grey\n{corner}"), MATERIALS)
+        .from(45.0, 30.0)
+        .lights([sun, Light::new(LightKind::Ambient, 0.7)])
+        .with(|settings| {
+            settings.ambient_occlusion = Some(AmbientOcclusion { radius: Some(0.8), ..Default::default() });
+        })
+        .check("effects/ambient-occlusion-of-a-corner");
+}
+
+#[test]
+fn toon_in_three_steps_and_in_six() {
+    let text = format!("usemtl shiny\n{}", sphere(0.0));
+    let ball = || Shot::obj(&text, "newmtl shiny\nKd 0.8 0.3 0.1\nKs 0.5 0.5 0.5\nNs 30\n").shader(ShaderKind::Toon);
+    ball().check("effects/toon");
+    ball().with(|settings| settings.toon_levels = 6).check("effects/toon-in-six-steps");
+}
+
+/// Toon, outlines and shadows together: a drawing.
+#[test]
+fn a_drawing() {
+    shadows(sphere_and_leaf(), small())
+        .shader(ShaderKind::Toon)
+        .with(|settings| settings.outline = Some(Outline::default()))
+        .check("effects/drawing");
+}
+
+/// Creases and silhouettes; a floor that recedes is neither.
+#[test]
+fn wide_outlines_over_nothing() {
+    let outline = Outline { color: [0.5, 0.0, 0.05, 1.0], width_px: 4.0, ..Outline::default() };
+    Shot::asset("cube.obj")
+        .with(|settings| (settings.outline, settings.background) = (Some(outline), [0.0; 4]))
+        .check("effects/wide-outlines");
 }

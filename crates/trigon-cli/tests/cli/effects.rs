@@ -58,4 +58,57 @@ fn values_out_of_range_are_refused() {
     check("--shadow-bias -0.1", &["--shadow-bias", "below zero"]);
     check("--shadow-softness 17", &["--shadow-softness", "16"]);
     check("--shadow-softness nan", &["--shadow-softness", "finite"]);
+    check("--ssao-radius 0", &["--ssao-radius", "above zero"]);
+    check("--ssao-strength -1", &["--ssao-strength", "below zero"]);
+    check("--ssao-samples 257", &["--ssao-samples", "1..=256"]);
+    check("--toon-levels 0", &["--toon-levels", "1..=16"]);
+    check("--outline-width 0.5", &["--outline-width", "1 to 32"]);
+    check("--outline-threshold 0", &["--outline-threshold", "above zero"]);
+    check("--outline-color rde", &["--outline-color", "rde"]);
+}
+
+#[test]
+fn ambient_occlusion_darkens_and_each_option_changes_it() {
+    let folder = Folder::with_cube()
+        .with("stand.obj", format!("{}v -3 0 -3\nv 5 0 -3\nv 5 0 6\nv -3 0 6\nf 9 12 11 10\n", crate::support::CUBE));
+    let view = "stand.obj -s 100x80 --light ambient:0.8";
+    let without = folder.picture(view);
+    let plain = folder.picture(&format!("{view} --ssao"));
+    assert!(difference(&without, &plain) > 0.02);
+    assert_eq!(darkened(&plain, &without), 0.0, "nothing gets lighter");
+    for options in ["--ssao-radius 0.3", "--ssao-strength 3", "--ssao-samples 2"] {
+        assert!(plain != folder.picture(&format!("{view} {options}")), "{options} changes nothing");
+    }
+    assert_eq!(without, folder.picture(&format!("{view} --ssao-strength 0")));
+    // Light with a direction is not dimmed.
+    let sun = "stand.obj -s 100x80 --light directional:-1,-2,-1:0.8";
+    assert_eq!(folder.picture(sun), folder.picture(&format!("{sun} --ssao")));
+}
+
+#[test]
+fn toon_has_as_many_colours_as_levels() {
+    let folder = Folder::with_cube();
+    // Three faces of different brightness.
+    let view = "cube.obj -s 60x60 --samples 1 --background black --light directional:-1,-2,-0.3:1.2 --shader toon";
+    let colors = |options: &str| {
+        let picture = folder.picture(&format!("{view} {options}"));
+        picture.pixels().iter().map(|pixel| pixel[0]).filter(|red| *red > 0).collect::<std::collections::BTreeSet<_>>()
+    };
+    assert_eq!(colors("--toon-levels 1").len(), 1);
+    assert!(colors("--toon-levels 16").len() > 1);
+}
+
+#[test]
+fn outlines_are_drawn_in_their_colour_and_width() {
+    let folder = Folder::with_cube();
+    let red = |options: &str| {
+        let picture = folder.picture(&format!("cube.obj -s 100x80 --background white --samples 1 {options}"));
+        picture.pixels().iter().filter(|pixel| pixel[..3] == [255, 0, 0]).count()
+    };
+    let (thin, wide) = (red("--outline-color red"), red("--outline-color red --outline-width 6"));
+    assert_eq!(red(""), 0);
+    assert!(thin > 100 && wide > 2 * thin, "{thin}, {wide}");
+    // Silhouettes stay, creases do not.
+    let silhouette = red("--outline-color red --outline-threshold 3");
+    assert!(silhouette > 50 && silhouette < thin, "{silhouette}, {thin}");
 }

@@ -8,7 +8,7 @@ use super::material::{Coverage, Surface};
 use super::scene_renderer::MeshFacts;
 use super::settings::{RenderSettings, Wireframe};
 use super::shader_kind::ShaderKind;
-use super::shaders::{BlinnPhong, Full, MeshView, Overlay, Plain, Stroke};
+use super::shaders::{BlinnPhong, Full, MeshView, Overlay, Plain, Shape, Stroke};
 use super::sorting::{SortedPrimitives, back_to_front};
 use crate::math::Mat4;
 use crate::scene::{Instance, Mesh, Submesh};
@@ -103,12 +103,23 @@ impl Piece<'_> {
     }
 
     /// The mesh as the eye or a light sees it.
-    pub(super) fn view(&self, clip_from_world: &Mat4) -> MeshView<'_> {
+    fn view(&self, clip_from_world: &Mat4) -> MeshView<'_> {
         MeshView::new(self.mesh, self.instance, clip_from_world)
     }
 
-    fn triangles<'f>(&'f self, settings: &RenderSettings, frame: &'f FrameUniforms) -> Option<Item<'f>> {
+    /// The surface without its colour, as the eye or a light sees it.
+    pub(super) fn shape(&self, clip_from_world: &Mat4, eye: [f32; 4]) -> Shape<'_> {
+        Shape::new(self.view(clip_from_world), &self.surface, eye)
+    }
+
+    /// The triangles, if there are any.
+    pub(super) fn surfaces(&self) -> Option<Primitives<'_>> {
         let triangles = self.mesh.triangles.get(self.submesh.triangles.clone()).filter(|t| !t.is_empty())?;
+        Some(Primitives::Triangles(Indices::List(triangles.as_flattened())))
+    }
+
+    fn triangles<'f>(&'f self, settings: &RenderSettings, frame: &'f FrameUniforms) -> Option<Item<'f>> {
+        let primitives = self.surfaces()?;
         let is_hidden = settings.wireframe.is_some_and(|w| !w.surface);
         let shader = if is_hidden {
             // Surfaces in the colour of the background hide the lines behind them.
@@ -122,7 +133,6 @@ impl Piece<'_> {
         } else {
             self.shader(settings, frame, false)
         };
-        let primitives = Primitives::Triangles(Indices::List(triangles.as_flattened()));
         let mut item = Item::opaque(shader, primitives, self.object, self.submesh.triangles.start);
         item.cull = self.cull(settings.cull);
         if settings.shader == ShaderKind::Overdraw && !is_hidden {

@@ -1,6 +1,9 @@
 //! What all shaders of a frame share: the camera and the light.
 
-use super::lights::Lighting;
+use super::lights::{Lighting, Source};
+use super::occlusion::OcclusionMap;
+use super::settings::RenderSettings;
+use super::shader_kind::ShaderKind;
 use crate::math::{Mat4, vec3};
 use crate::scene::{Camera, Projection, Scene};
 
@@ -10,8 +13,12 @@ pub(super) struct FrameUniforms {
     /// The eye and 1, or the unit vector towards an infinitely distant eye and 0.
     pub(super) eye: [f32; 4],
     pub(super) lighting: Lighting,
-    /// Whether sources have shadow maps.
-    pub(super) has_shadows: bool,
+    /// What the colours show.
+    pub(super) shader: ShaderKind,
+    /// Steps of light in toon shading.
+    pub(super) toon_levels: u32,
+    /// How open surfaces are, if light from all around is dimmed.
+    pub(super) occlusion: Option<OcclusionMap>,
     /// Clip z gained by moving towards the eye: multiplied by the share of the way.
     pub(super) clip_z_towards_eye: f32,
     /// Size of a pixel over its distance (perspective), or over the depth range (orthographic).
@@ -22,7 +29,8 @@ pub(super) struct FrameUniforms {
 
 impl FrameUniforms {
     #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
-    pub(super) fn new(scene: &Scene, camera: &Camera, size: [u32; 2], shows_depth: bool) -> Self {
+    pub(super) fn new(scene: &Scene, camera: &Camera, settings: &RenderSettings) -> Self {
+        let size = [settings.width, settings.height];
         let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
         let clip_from_world = camera.clip_from_world(aspect);
         let forward = camera.forward();
@@ -44,11 +52,21 @@ impl FrameUniforms {
             clip_from_world,
             eye,
             lighting: Lighting::new(&scene.lights, camera),
-            has_shadows: false,
+            shader: settings.shader,
+            toon_levels: settings.toon_levels.clamp(1, RenderSettings::MAX_TOON_LEVELS),
+            occlusion: None,
             clip_z_towards_eye: towards_eye as f32,
             pixel_slope: pixel_slope as f32,
-            depth_axis: if shows_depth { depth_axis(scene, camera) } else { [0.0; 4] },
+            depth_axis: if settings.shader == ShaderKind::Depth { depth_axis(scene, camera) } else { [0.0; 4] },
         }
+    }
+}
+
+impl FrameUniforms {
+    /// Whether lit surfaces need more than the lights and their materials.
+    pub(super) fn has_effects(&self) -> bool {
+        let has_shadow = |source: &Source| source.shadow.is_some();
+        self.shader == ShaderKind::Toon || self.occlusion.is_some() || self.lighting.sources.iter().any(has_shadow)
     }
 }
 

@@ -117,7 +117,8 @@ pub(super) struct Needs {
 
 impl Needs {
     pub(super) fn new(settings: &RenderSettings, has_ambient_light: bool) -> Self {
-        let normals = settings.outputs.normal || matches!(settings.shader, ShaderKind::BlinnPhong | ShaderKind::Normal);
+        let normals = settings.outputs.normal
+            || matches!(settings.shader, ShaderKind::BlinnPhong | ShaderKind::Toon | ShaderKind::Normal);
         Self { shader: settings.shader, alpha: settings.alpha, has_ambient_light, normals }
     }
 

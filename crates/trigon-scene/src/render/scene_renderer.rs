@@ -8,10 +8,13 @@ use super::edges::unique_edges;
 use super::error::RenderError;
 use super::frame::FrameUniforms;
 use super::material::{Needs, Surface, VertexFacts, wanted};
+use super::occlusion::OcclusionMap;
+use super::outline;
 use super::overdraw::color_counts;
 use super::settings::RenderSettings;
 use super::shader_kind::ShaderKind;
 use super::shadow_map::ShadowMemory;
+use super::shapes::Shapes;
 use super::texture_cache::TextureCache;
 use crate::load::Warning;
 use crate::scene::{Camera, Instance, LightKind, Material, Mesh, Scene};
@@ -87,23 +90,34 @@ impl SceneRenderer {
         picture: &mut Picture,
     ) -> Result<(FrameStatistics, Vec<Warning>), RenderError> {
         let warnings = self.prepare(scene, settings);
-        let size = [settings.width, settings.height];
-        let mut uniforms = FrameUniforms::new(scene, camera, size, settings.shader == ShaderKind::Depth);
+        let mut uniforms = FrameUniforms::new(scene, camera, settings);
         let mut shadows = std::mem::take(&mut self.shadows);
         let pieces = self.pieces(scene, settings);
         let mut passes = FrameStatistics::default();
         if let Some(settings) = settings.shadows.filter(|_| settings.shows_light()) {
-            passes = shadows.draw(renderer, scene, &pieces, &settings, &mut uniforms.lighting)?;
-            uniforms.has_shadows = true;
+            add_times(&mut passes, &shadows.draw(renderer, scene, &pieces, &settings, &mut uniforms.lighting)?);
+        }
+        if let Some(occlusion) = settings.shown_occlusion() {
+            let size = [settings.width, settings.height];
+            let (shapes, times) = Shapes::draw(renderer, &pieces, camera, &uniforms, size)?;
+            let radius = scene.bounding_box().radius();
+            uniforms.occlusion = Some(OcclusionMap::new(&shapes, &occlusion, radius, renderer.options()));
+            add_times(&mut passes, &times);
         }
         let blended = draws::sort_blended(&pieces, settings, &uniforms);
         let items = draws::list(&pieces, &blended, settings, &uniforms);
         let draws: Vec<Draw<'_>> = (0u32..).zip(&items).map(|(number, item)| draw(item, number)).collect();
         let mut statistics = renderer.render(&frame(settings), &draws, picture)?;
-        statistics.geometry_time += passes.geometry_time;
-        statistics.tile_time += passes.tile_time;
         finish(picture, settings, &items);
         drop(items);
+        if let Some(outline) = settings.outline {
+            let scale = outline::scale(settings);
+            let size = [settings.width * scale, settings.height * scale];
+            let (shapes, times) = Shapes::draw(renderer, &pieces, camera, &uniforms, size)?;
+            outline::draw(picture, &shapes, scale, &outline, renderer.options());
+            add_times(&mut passes, &times);
+        }
+        add_times(&mut statistics, &passes);
         shadows.take_back(uniforms.lighting);
         self.shadows = shadows;
         Ok((statistics, warnings))
@@ -154,6 +168,11 @@ impl MeshFacts {
     pub(super) fn is_mirrored(&self, instance: &Instance) -> bool {
         instance.world_from_model.linear_determinant() < 0.0
     }
+}
+
+fn add_times(sum: &mut FrameStatistics, pass: &FrameStatistics) {
+    sum.geometry_time += pass.geometry_time;
+    sum.tile_time += pass.tile_time;
 }
 
 fn needs(scene: &Scene, settings: &RenderSettings) -> Needs {

@@ -1,6 +1,6 @@
 //! How a scene is drawn: everything that is neither scene nor camera.
 
-use super::{ShaderKind, Shadows};
+use super::{AmbientOcclusion, Outline, ShaderKind, Shadows};
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
@@ -39,6 +39,12 @@ pub struct RenderSettings {
     pub point_size_px: f32,
     /// Whether lights cast shadows, and how; none by default.
     pub shadows: Option<Shadows>,
+    /// Whether cracks and corners are darkened, and how; not by default. [`ShaderKind::Occlusion`] shows it alone.
+    pub ambient_occlusion: Option<AmbientOcclusion>,
+    /// Steps of light of [`ShaderKind::Toon`], 1 to [`RenderSettings::MAX_TOON_LEVELS`].
+    pub toon_levels: u32,
+    /// Whether the outlines of things are drawn, and how; not by default.
+    pub outline: Option<Outline>,
 }
 
 impl RenderSettings {
@@ -60,6 +66,9 @@ impl RenderSettings {
             line_width_px: 1.5,
             point_size_px: 3.0,
             shadows: None,
+            ambient_occlusion: None,
+            toon_levels: 3,
+            outline: None,
         }
     }
 
@@ -67,6 +76,17 @@ impl RenderSettings {
     pub(super) fn shows_light(&self) -> bool {
         (self.outputs.color || self.outputs.color_f32) && self.shader.is_lit()
     }
+
+    /// The occlusion that the colours depend on.
+    pub(super) fn shown_occlusion(&self) -> Option<AmbientOcclusion> {
+        if self.shader == ShaderKind::Occlusion && (self.outputs.color || self.outputs.color_f32) {
+            return Some(self.ambient_occlusion.unwrap_or_default());
+        }
+        self.ambient_occlusion.filter(|_| self.shows_light())
+    }
+
+    /// The most steps of light that toon shading has; more count as these.
+    pub const MAX_TOON_LEVELS: u32 = 16;
 
     /// The default background: sRGB #e6e8eb, a light cool grey on which light and dark models both stand out.
     pub const DEFAULT_BACKGROUND: [f32; 4] = [0.791_298, 0.806_952_3, 0.830_769_9, 1.0];

@@ -12,12 +12,16 @@ pub enum ShaderKind {
     BlinnPhong,
     /// The same with one normal per triangle: its own.
     Flat,
+    /// Light in a few flat steps, as in cartoons; see [`RenderSettings::toon_levels`](super::RenderSettings).
+    Toon,
     /// Diffuse colour, map and vertex colour without any light.
     Unlit,
     /// The world-space normal that shading uses: `n * 0.5 + 0.5` as red, green, blue.
     Normal,
     /// Distance along the view, from near (bright) to far (dark) over the range of the model.
     Depth,
+    /// How much of its surroundings a surface can see: white where nothing is near, black in a crack.
+    Occlusion,
     /// Texture coordinates: u as red, v (up) as green, each repeating from 0 to 1.
     Uv,
     /// The weights of a triangle's corners as red, green, blue.
@@ -40,12 +44,14 @@ pub struct UnknownShader(pub String);
 
 impl ShaderKind {
     /// All kinds, the default first.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::BlinnPhong,
         Self::Flat,
+        Self::Toon,
         Self::Unlit,
         Self::Normal,
         Self::Depth,
+        Self::Occlusion,
         Self::Uv,
         Self::Barycentric,
         Self::MipLevel,
@@ -61,9 +67,11 @@ impl ShaderKind {
         match self {
             Self::BlinnPhong => "blinn-phong",
             Self::Flat => "flat",
+            Self::Toon => "toon",
             Self::Unlit => "unlit",
             Self::Normal => "normal",
             Self::Depth => "depth",
+            Self::Occlusion => "occlusion",
             Self::Uv => "uv",
             Self::Barycentric => "barycentric",
             Self::MipLevel => "mip-level",
@@ -80,9 +88,11 @@ impl ShaderKind {
         match self {
             Self::BlinnPhong => "materials under the lights",
             Self::Flat => "the same, one normal per triangle",
+            Self::Toon => "light in a few flat steps",
             Self::Unlit => "diffuse colours without light",
             Self::Normal => "world-space normals as colours",
             Self::Depth => "near is bright, far is dark",
+            Self::Occlusion => "cracks and corners are dark",
             Self::Uv => "texture coordinates as red and green",
             Self::Barycentric => "weights of the corners as red, green, blue",
             Self::MipLevel => "mip level of the diffuse map by colour",
@@ -95,12 +105,12 @@ impl ShaderKind {
 
     /// Whether it draws materials under the lights.
     pub(super) fn is_lit(self) -> bool {
-        matches!(self, Self::BlinnPhong | Self::Flat)
+        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon)
     }
 
     /// Whether it draws materials with their colours.
     pub(super) fn shows_materials(self) -> bool {
-        matches!(self, Self::BlinnPhong | Self::Flat | Self::Unlit)
+        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon | Self::Unlit)
     }
 }
 

@@ -11,10 +11,10 @@ use super::draws::Piece;
 use super::effects::Shadows;
 use super::error::RenderError;
 use super::lights::{Lighting, Source};
-use super::shaders::Caster;
+use super::shaders::Shape;
 use crate::math::{Mat4, vec3};
 use crate::scene::{Camera, Framing, Projection, Scene};
-use trigon::geometry::{Indices, Primitives};
+use trigon::geometry::Primitives;
 use trigon::lanes;
 use trigon::pipeline::{Draw, Frame, FrameStatistics, Outputs, Picture, Renderer};
 use trigon::target::Plane;
@@ -100,13 +100,9 @@ impl ShadowMemory {
         size: u32,
         times: &mut FrameStatistics,
     ) -> Result<Plane<f32>, RenderError> {
-        let casters: Vec<(Caster<'_>, Primitives<'_>)> = pieces
+        let casters: Vec<(Shape<'_>, Primitives<'_>)> = pieces
             .iter()
-            .filter_map(|piece| {
-                let triangles = piece.mesh.triangles.get(piece.submesh.triangles.clone()).filter(|t| !t.is_empty())?;
-                let primitives = Primitives::Triangles(Indices::List(triangles.as_flattened()));
-                Some((Caster::new(piece.view(clip_from_world), &piece.surface), primitives))
-            })
+            .filter_map(|piece| Some((piece.shape(clip_from_world, [0.0; 4]), piece.surfaces()?)))
             .collect();
         let draws: Vec<Draw<'_>> = casters.iter().map(|(shader, primitives)| Draw::new(shader, *primitives)).collect();
         let frame = Frame { outputs: Outputs::DEPTH, ..Frame::new(size, size) };

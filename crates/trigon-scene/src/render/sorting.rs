@@ -54,6 +54,7 @@ fn distance(model: vec3::Vec3, world_from_model: &Mat4, frame: &FrameUniforms) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::render::RenderSettings;
     use crate::scene::{Camera, Projection, Scene};
 
     #[test]
@@ -69,7 +70,7 @@ mod tests {
                 near: 1.0,
                 far: 20.0,
             };
-            let frame = FrameUniforms::new(&Scene::default(), &camera, [8, 8], false);
+            let frame = FrameUniforms::new(&Scene::default(), &camera, &RenderSettings::new(8, 8));
             let sorted = back_to_front(&positions, &points, &Mat4::IDENTITY, &frame);
             assert_eq!(sorted.indices, [1, 0, 2]);
         }

@@ -57,6 +57,12 @@ impl Renderer {
         Ok(Self { options, level, chunks: Vec::new(), scratch: Vec::new(), tiles: Vec::new() })
     }
 
+    /// How it works: for code beside it that shares the work among threads, at the same SIMD level.
+    #[must_use]
+    pub fn options(&self) -> RendererOptions {
+        self.options
+    }
+
     /// Draws a frame: `draws` in order, into `picture`.
     ///
     /// # Errors

@@ -6,11 +6,12 @@
 use super::lighting::{Reflected, reflect};
 use super::maps::{Factors, Footprint};
 use super::normal::NormalSource;
-use super::obstacles::{Nothing, Obstacles, Shadowed};
+use super::obstacles::{Effects, Nothing, Obstacles};
 use super::point::{SurfacePoint, footprint};
 use super::vertex::{Attributes, Layout, MeshView};
 use crate::render::frame::FrameUniforms;
 use crate::render::material::{Coverage, Slot, Surface};
+use crate::render::shader_kind::ShaderKind;
 use crate::scene::Illumination;
 use std::marker::PhantomData;
 use trigon::lanes::{F32, Lanes, Mask, Rgba, U32, Vec3, Vec4};
@@ -23,6 +24,9 @@ pub(in crate::render) struct BlinnPhong<'a, A> {
     pub(super) surface: &'a Surface<'a>,
     normals: NormalSource<'a>,
     illumination: Illumination,
+    /// Whether light can be dimmed on its way, or is painted in steps.
+    has_effects: bool,
+    is_toon: bool,
     layout: PhantomData<A>,
 }
 
@@ -45,7 +49,9 @@ impl<'a, A: Layout> BlinnPhong<'a, A> {
             bump: surface.bump.as_ref(),
         };
         let illumination = if is_lit { surface.illumination } else { Illumination::Color };
-        Self { frame, mesh, surface, normals, illumination, layout: PhantomData }
+        let has_effects = frame.has_effects();
+        let is_toon = frame.shader == ShaderKind::Toon;
+        Self { frame, mesh, surface, normals, illumination, has_effects, is_toon, layout: PhantomData }
     }
 
     #[inline(always)]
@@ -76,10 +82,14 @@ impl<A: Layout> Shader for BlinnPhong<'_, A> {
     #[inline(always)]
     fn fragment<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Rgba<L> {
         let point = self.point(l, f);
-        if self.frame.has_shadows {
-            self.material().shade_in_shadow(l, &point)
+        if !self.has_effects {
+            return self.material().shade(l, &point);
+        }
+        let effects = Effects::new(l, self.frame.occlusion.as_ref(), f.pixel, &point);
+        if self.is_toon {
+            self.material().shade_toon(l, &point, &effects)
         } else {
-            self.material().shade(l, &point)
+            self.material().shade_in(l, &point, &effects)
         }
     }
 
@@ -100,11 +110,11 @@ impl<A: Layout> Shader for BlinnPhong<'_, A> {
 }
 
 /// A surface under the light of a frame.
-struct Lit<'a> {
-    frame: &'a FrameUniforms,
-    surface: &'a Surface<'a>,
-    normals: &'a NormalSource<'a>,
-    illumination: Illumination,
+pub(super) struct Lit<'a> {
+    pub(super) frame: &'a FrameUniforms,
+    pub(super) surface: &'a Surface<'a>,
+    pub(super) normals: &'a NormalSource<'a>,
+    pub(super) illumination: Illumination,
 }
 
 impl Lit<'_> {
@@ -117,12 +127,12 @@ impl Lit<'_> {
         )
     }
 
-    /// The same where lights cast shadows: a copy of the code, so that the plain one asks for nothing.
+    /// The same in frames with effects: a copy of the code, so that the plain one asks for nothing.
     #[inline(never)]
-    fn shade_in_shadow<L: Lanes>(&self, l: L, point: &SurfacePoint<L>) -> Rgba<L> {
+    fn shade_in<L: Lanes>(&self, l: L, point: &SurfacePoint<L>, effects: &Effects<L>) -> Rgba<L> {
         l.vectorize(
             #[inline(always)]
-            || self.shade_inline(l, point, &Shadowed),
+            || self.shade_inline(l, point, effects),
         )
     }
 
@@ -147,7 +157,7 @@ impl Lit<'_> {
         let lighting = &self.frame.lighting;
         if lighting.ambient != [0.0; 3] {
             let ambient = (l.vec3(surface.ambient) * factors.get(Slot::Ambient).rgb()) * color;
-            other += ambient * l.vec3(lighting.ambient);
+            other += ambient * obstacles.dim(l, l.vec3(lighting.ambient));
         }
         let shines = self.illumination == Illumination::Specular && surface.specular != [0.0; 3];
         let exponent = if shines { Some(factors.get(Slot::Exponent).r * surface.exponent) } else { None };
@@ -162,7 +172,7 @@ impl Lit<'_> {
 impl Surface<'_> {
     /// The diffuse and all other light that leaves the surface, weighed by opacity.
     #[inline(always)]
-    fn combine<L: Lanes>(
+    pub(super) fn combine<L: Lanes>(
         &self,
         l: L,
         factors: &Factors<L>,

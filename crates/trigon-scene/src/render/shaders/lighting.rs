@@ -29,7 +29,7 @@ pub(super) fn reflect<L: Lanes, O: Obstacles<L>>(
     let black = l.vec3([0.0; 3]);
     let mut sum = Reflected { diffuse: black, specular: black };
     if let Some(sky) = &lighting.sky {
-        sum.diffuse = sky.light(l, normal);
+        sum.diffuse = obstacles.dim(l, sky.light(l, normal));
     }
     let cos_eye = normal.dot(point.to_eye);
     for source in &lighting.sources {

@@ -1,11 +1,12 @@
-//! What keeps light from a surface: nothing, or the shadows of what stands in its way.
+//! What keeps light from a surface: nothing, or what stands in its way.
 //!
-//! In: a source and sixteen points. Out: how much of its light arrives. A trait with a type for "nothing", so that
-//! frames without shadows are drawn by code that knows of none.
+//! In: light and sixteen points. Out: how much of it arrives. A trait with a type for "nothing", so that frames without
+//! effects are drawn by code that knows of none.
 
 use super::point::SurfacePoint;
 use crate::render::lights::Source;
-use trigon::lanes::{F32, Lanes, Vec3};
+use crate::render::occlusion::OcclusionMap;
+use trigon::lanes::{F32, Lanes, Vec2, Vec3};
 
 /// What is in the way of light.
 pub(super) trait Obstacles<L: Lanes> {
@@ -20,22 +21,44 @@ pub(super) trait Obstacles<L: Lanes> {
         cosine: F32<L>,
         strength: F32<L>,
     ) -> F32<L>;
+
+    /// What arrives of `light` that comes from all around.
+    fn dim(&self, l: L, light: Vec3<L>) -> Vec3<L>;
 }
 
 /// Nothing is in the way.
 pub(super) struct Nothing;
 
-/// The shadow maps of the sources say what is.
-pub(super) struct Shadowed;
+/// Shadow maps of the sources, and the occlusion of sixteen points.
+pub(super) struct Effects<L: Lanes> {
+    /// The part of the surroundings that the points can see, if it is known.
+    openness: Option<F32<L>>,
+}
+
+impl<L: Lanes> Effects<L> {
+    /// For fragments in `pixel`.
+    #[inline(always)]
+    pub(super) fn new(l: L, occlusion: Option<&OcclusionMap>, pixel: Vec2<L>, point: &SurfacePoint<L>) -> Self {
+        match occlusion {
+            Some(map) => Self { openness: Some(map.openness(l, pixel, point.position)) },
+            None => Self { openness: None },
+        }
+    }
+}
 
 impl<L: Lanes> Obstacles<L> for Nothing {
     #[inline(always)]
     fn pass(&self, _: L, _: &Source, _: &SurfacePoint<L>, _: Vec3<L>, _: F32<L>, strength: F32<L>) -> F32<L> {
         strength
     }
+
+    #[inline(always)]
+    fn dim(&self, _: L, light: Vec3<L>) -> Vec3<L> {
+        light
+    }
 }
 
-impl<L: Lanes> Obstacles<L> for Shadowed {
+impl<L: Lanes> Obstacles<L> for Effects<L> {
     #[inline(always)]
     fn pass(
         &self,
@@ -51,5 +74,13 @@ impl<L: Lanes> Obstacles<L> for Shadowed {
             return strength;
         }
         strength * map.visibility(l, point, source.place, to_light)
+    }
+
+    #[inline(always)]
+    fn dim(&self, _: L, light: Vec3<L>) -> Vec3<L> {
+        match self.openness {
+            Some(openness) => light * openness,
+            None => light,
+        }
     }
 }

@@ -61,6 +61,10 @@ impl<A: Layout> Overlay<'_, A> {
                 let t = (f.position().dot(l.vec3([x, y, z])) + l.f32(offset)).saturate();
                 grey(1.0 - t * 0.9)
             }
+            ShaderKind::Occlusion => match &self.base.frame.occlusion {
+                Some(map) => grey(map.openness(l, f.pixel, f.position())),
+                None => grey(one),
+            },
             ShaderKind::Uv if self.base.mesh.uvs.is_empty() => l.vec3([0.2; 3]),
             ShaderKind::Uv => {
                 let uv = f.uv();

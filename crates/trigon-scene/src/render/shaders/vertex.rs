@@ -111,8 +111,9 @@ impl<'a> MeshView<'a> {
         self.clip_from_model.transform_point(l, index.gather_vec3(self.positions))
     }
 
+    /// Position, normal and uv of sixteen vertices.
     #[inline(always)]
-    fn plain<L: Lanes>(&self, l: L, index: U32<L>) -> PlainVarying<L> {
+    pub(super) fn plain<L: Lanes>(&self, l: L, index: U32<L>) -> PlainVarying<L> {
         let model = index.gather_vec3(self.positions);
         PlainVarying {
             position: self.world_from_model.transform_point(l, model).xyz(),
