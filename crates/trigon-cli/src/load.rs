@@ -38,6 +38,7 @@ impl Models {
         let (mut scene, mut warnings, mut up) = (Scene::default(), Vec::new(), None);
         let mut files = paths.to_vec();
         files.extend(options.texture.clone());
+        files.extend(options.height_map.clone());
         for path in paths {
             let loaded = load_one(path, &load_options)?;
             let folder = path.parent().unwrap_or(Path::new(""));
@@ -48,6 +49,9 @@ impl Models {
         }
         if let Some(path) = &options.texture {
             add_texture(&mut scene, path, &load_options)?;
+        }
+        if let Some(path) = &options.height_map {
+            add_height_map(&mut scene, path, &load_options)?;
         }
         Ok(Self { scene, warnings, up: up.unwrap_or(UpDirection::PLUS_Y), files })
     }
@@ -131,6 +135,28 @@ fn usual_up(format: Format) -> UpDirection {
 
 /// Puts a picture on every material without a diffuse map.
 fn add_texture(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<(), Failure> {
+    let id = read_texture(scene, path, options)?;
+    for material in &mut scene.materials {
+        if material.is_neutral() {
+            // The picture shows as it is.
+            (material.ambient, material.diffuse) = ([1.0; 3], [1.0; 3]);
+        }
+        material.maps.diffuse.get_or_insert_with(|| TextureRef::new(id));
+    }
+    Ok(())
+}
+
+/// Puts a picture of heights on every material, in place of the one that it may have.
+fn add_height_map(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<(), Failure> {
+    let id = read_texture(scene, path, options)?;
+    for material in &mut scene.materials {
+        material.maps.displacement = Some(TextureRef::new(id));
+    }
+    Ok(())
+}
+
+/// Adds a picture to those of the scene.
+fn read_texture(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<TextureId, Failure> {
     let limits = &options.limits;
     let failure = |problem: &str| Failure::work(format!("cannot read the texture {}: {problem}", path.display()));
     let metadata = fs::metadata(path).map_err(|error| failure(&error.to_string()))?;
@@ -145,12 +171,5 @@ fn add_texture(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<
         decoder: options.picture_decoder.clone(),
         ..texture
     });
-    for material in &mut scene.materials {
-        if material.is_neutral() {
-            // The picture shows as it is.
-            (material.ambient, material.diffuse) = ([1.0; 3], [1.0; 3]);
-        }
-        material.maps.diffuse.get_or_insert_with(|| TextureRef::new(id));
-    }
-    Ok(())
+    Ok(id)
 }

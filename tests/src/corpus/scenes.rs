@@ -9,7 +9,9 @@ use trigon::pipeline::{Picture, Renderer, RendererOptions};
 use trigon::target::ShadingRate;
 use trigon_scene::load::{LoadOptions, MemoryResolver, load_bytes};
 use trigon_scene::render::{AmbientOcclusion, Outline, RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe};
-use trigon_scene::scene::{Camera, Framing, Light, LightKind, Projection, Scene};
+use trigon_scene::scene::{
+    Camera, Displacement, Framing, Light, LightKind, Projection, Scene, Texture, TextureId, TextureRef,
+};
 
 /// A file of `assets/`, with the path that models know it by.
 macro_rules! asset {
@@ -95,6 +97,7 @@ pub(super) fn frames() -> Vec<NamedFrame> {
         frame("shadows-of-every-kind-of-light", &lit, &shadows).large(),
         frame("hard-shadows", &lit, &hard_shadows),
         frame("ambient-occlusion", &Rc::new(load(STILL_LIFE)), &occluded).large(),
+        frame("displaced", &Rc::new(displaced_cube()), &small),
         frame("outlines", &Rc::new(load(STILL_LIFE)), &outlined).large(),
         frame("shadows-of-cut-outs", &Rc::new(load(STILL_LIFE)), &shadows).large(),
         frame("shaded-by-sample", &Rc::new(load(TEAPOT)), &by_sample),
@@ -120,6 +123,22 @@ fn load((name, bytes): (&str, &[u8])) -> Scene {
     options.strict = true;
     options.resolver = Some(Arc::new(files));
     load_bytes(name, bytes, &options).expect("a model without fault").scene
+}
+
+/// A cube with the relief of an orange, as geometry.
+fn displaced_cube() -> Scene {
+    let mut scene = load(CUBE);
+    let (path, bytes) = asset!("textures/peel-height.png");
+    let map = TextureId(u32::try_from(scene.textures.len()).expect("few textures"));
+    scene.textures.push(Texture::new(path, bytes));
+    for material in &mut scene.materials {
+        material.maps.displacement = Some(TextureRef::new(map));
+    }
+    let camera = Framing::default().camera(&scene);
+    let settings = Displacement { scale: Some(0.2), max_edge_px: 4.0, ..Displacement::default() };
+    let displaced = scene.displace(&camera, [97, 83], &settings);
+    assert!(displaced.is_fine && displaced.warnings.is_empty(), "{displaced:?}");
+    scene
 }
 
 fn lights() -> Vec<Light> {

@@ -1,7 +1,7 @@
-//! Shadows, ambient occlusion, toon shading, outlines.
+//! Shadows, ambient occlusion, toon shading, outlines, displacement.
 
 use trigon_scene::render::{AmbientOcclusion, Outline, ShaderKind, Shadows};
-use trigon_scene::scene::{Light, LightKind};
+use trigon_scene::scene::{Displacement, Framing, Light, LightKind};
 use trigon_tests::golden::{Shot, sphere};
 
 /// A floor of 4 x 4 below the sphere about the origin.
@@ -115,4 +115,19 @@ fn wide_outlines_over_nothing() {
     Shot::asset("cube.obj")
         .with(|settings| (settings.outline, settings.background) = (Some(outline), [0.0; 4]))
         .check("effects/wide-outlines");
+}
+
+/// A height map as geometry: the outline shows it, and the shadow.
+#[test]
+fn displaced_sphere() {
+    let materials = format!("{MATERIALS}newmtl rough\nKd 0.8 0.5 0.2\ndisp textures/peel-height.png\n");
+    let text = format!("usemtl rough\n{}usemtl grey\n{GROUND}", sphere(0.0));
+    shadows(Shot::obj(&text, &materials).from(20.0, 25.0), small())
+        .scene(|scene| {
+            let camera = Framing::default().camera(scene);
+            let settings = Displacement { scale: Some(0.5), middle: 0.5, ..Displacement::default() };
+            let displaced = scene.displace(&camera, [96, 96], &settings);
+            assert!(displaced.is_fine && displaced.meshes == 1, "{displaced:?}");
+        })
+        .check("effects/displaced-sphere");
 }

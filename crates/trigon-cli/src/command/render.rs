@@ -32,7 +32,10 @@ pub(crate) fn render(options: &RenderCommandOptions, given: Given, written: &Wri
     let output = Destination::new(&options.output.output);
     let encoding = Encoding::choose(&options.output, &output)?;
     let mut studio = Studio::open(options, &output, &encoding)?;
-    let camera = view::camera(&options.view, &studio.scene, studio.up, studio.aspect())?;
+    let mut camera = view::camera(&options.view, &studio.scene, studio.up, studio.aspect())?;
+    if studio.displace(options, &camera)? {
+        camera = view::camera(&options.view, &studio.scene, studio.up, studio.aspect())?;
+    }
     let images = studio.draw(&camera)?;
     let started = Instant::now();
     output.write(&encoding.encode(&images)?)?;

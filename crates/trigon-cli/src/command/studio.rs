@@ -94,6 +94,29 @@ impl Studio {
         Ok(())
     }
 
+    /// Makes geometry of height maps, if the options ask for it: fine enough for what `camera` sees. True if it has.
+    pub(crate) fn displace(&mut self, options: &RenderOptions, camera: &Camera) -> Result<bool, Failure> {
+        let Some(settings) = options.displacement.displacement() else { return Ok(false) };
+        let started = Instant::now();
+        let displaced = self.scene.displace(camera, [self.settings.width, self.settings.height], &settings);
+        self.report.stages.upload += started.elapsed();
+        self.report.triangles = self.scene.triangle_count();
+        self.warn_all(&displaced.warnings)?;
+        if displaced.meshes == 0 {
+            let message = "--displace: no surface has texture coordinates and a height map (disp or map_Disp); name a map \
+                           with --height-map";
+            return Err(Failure::work(message));
+        }
+        if !displaced.is_fine {
+            let message = format!(
+                "{} triangles do not suffice for edges of {} pixels; raise --displace-limit or --displace-edge",
+                settings.max_triangles, settings.max_edge_px
+            );
+            self.report.warn(self.terminal, message);
+        }
+        Ok(true)
+    }
+
     /// Width / height.
     pub(crate) fn aspect(&self) -> f64 {
         f64::from(self.settings.width) / f64::from(self.settings.height)

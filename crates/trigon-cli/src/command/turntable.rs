@@ -23,7 +23,10 @@ pub(crate) fn turntable(options: &TurntableOptions) -> Result<(), Failure> {
 
     let frames = options.animation.frames;
     let turn = Turn::new(&studio.scene, studio.up.0);
-    let first_camera = view::camera(&render.view, &turn.swept(&studio.scene), studio.up, studio.aspect())?;
+    let mut first_camera = view::camera(&render.view, &turn.swept(&studio.scene), studio.up, studio.aspect())?;
+    if studio.displace(render, &first_camera)? {
+        first_camera = view::camera(&render.view, &turn.swept(&studio.scene), studio.up, studio.aspect())?;
+    }
     let lights = std::mem::take(&mut studio.scene.lights);
     let progress = Progress::new(studio.terminal, frames);
     let encode_time = thread::scope(|scope| {

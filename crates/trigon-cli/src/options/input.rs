@@ -30,6 +30,12 @@ pub(crate) struct InputOptions {
     #[arg(long, value_name = "FILE")]
     pub(crate) texture: Option<std::path::PathBuf>,
 
+    /// Picture of heights for all materials, for --displace
+    ///
+    /// White is high. Without --displace it is drawn as a bump map where a material has none.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) height_map: Option<std::path::PathBuf>,
+
     /// Bound on what is read, such as triangles=10M; repeatable
     ///
     /// For models of strangers. The limits are file-size, vertices, triangles, materials, textures, texture-size (bytes

@@ -4,6 +4,7 @@
 
 mod choices;
 mod cli;
+mod displacement;
 mod effects;
 mod given;
 mod input;
@@ -25,6 +26,7 @@ pub(crate) use choices::{
     WireframeChoice, WrapChoice,
 };
 pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
+pub(crate) use displacement::DisplacementOptions;
 pub(crate) use effects::EffectOptions;
 pub(crate) use given::Given;
 pub(crate) use input::InputOptions;

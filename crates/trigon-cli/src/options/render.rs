@@ -1,8 +1,8 @@
 //! Options of `trigon render`.
 
 use super::{
-    EffectOptions, InputOptions, MachineOptions, OutputOptions, PictureOptions, ShadingOptions, SvgInputOptions,
-    TextureOptions, ViewOptions,
+    DisplacementOptions, EffectOptions, InputOptions, MachineOptions, OutputOptions, PictureOptions, ShadingOptions,
+    SvgInputOptions, TextureOptions, ViewOptions,
 };
 use clap::Args;
 use std::path::PathBuf;
@@ -24,6 +24,8 @@ pub(crate) struct RenderOptions {
     pub(crate) shading: ShadingOptions,
     #[command(flatten)]
     pub(crate) effects: EffectOptions,
+    #[command(flatten)]
+    pub(crate) displacement: DisplacementOptions,
     #[command(flatten)]
     pub(crate) textures: TextureOptions,
     #[command(flatten)]

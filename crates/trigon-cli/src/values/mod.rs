@@ -19,7 +19,7 @@ pub(crate) use count::Count;
 pub(crate) use direction::UpDirection;
 pub(crate) use light::LightValue;
 pub(crate) use limit::{Limit, LimitName};
-pub(crate) use number::{NonNegative, Positive};
+pub(crate) use number::{NonNegative, Positive, Real};
 pub(crate) use page_area::PageArea;
 pub(crate) use scale::Scale;
 pub(crate) use size::PictureSize;

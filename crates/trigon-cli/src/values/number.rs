@@ -32,6 +32,25 @@ impl Positive {
     }
 }
 
+/// A finite number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Real(f32);
+
+impl Real {
+    /// The number.
+    pub(crate) fn to_f32(self) -> f32 {
+        self.0
+    }
+}
+
+impl FromStr for Real {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        parse_finite_f32(text).map(Self)
+    }
+}
+
 /// A finite number, zero or above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NonNegative(pub(crate) f64);

@@ -112,3 +112,42 @@ fn outlines_are_drawn_in_their_colour_and_width() {
     let silhouette = red("--outline-color red --outline-threshold 3");
     assert!(silhouette > 50 && silhouette < thin, "{silhouette}, {thin}");
 }
+
+/// A square with texture coordinates and no material.
+fn square() -> String {
+    crate::support::TEXTURED.replace("mtllib m.mtl\n", "").replace("usemtl picture\n", "")
+}
+
+/// Steps of grey along x, as an uncompressed TGA of 4 x 4 pixels.
+fn steps() -> Vec<u8> {
+    let mut bytes = vec![0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 4, 0, 8, 0];
+    bytes.extend([0_u8, 80, 160, 255].repeat(4));
+    bytes
+}
+
+#[test]
+fn displacement_changes_the_silhouette() {
+    let folder = Folder::new().with("square.obj", square()).with("h.tga", steps());
+    let view = "square.obj -s 60x60 --background none --eye 4,0,1 --target 0,0,0.3 --height-map h.tga";
+    let covered = |options: &str| {
+        let picture = folder.picture(&format!("{view} {options}"));
+        picture.pixels().iter().filter(|pixel| pixel[3] > 0).count()
+    };
+    // Seen from its side, a square is a narrow strip until it has a relief.
+    let (flat, raised) = (covered(""), covered("--displace=1.2"));
+    assert!(raised as f64 > 1.2 * flat as f64, "{flat}, {raised}");
+    assert!(covered("--displace=1.2 --displace-middle 1") != raised);
+    assert_eq!(covered("--displace=0"), flat);
+}
+
+#[test]
+fn displacement_needs_a_map_and_says_when_triangles_run_out() {
+    let folder =
+        Folder::new().with("square.obj", square()).with("h.tga", steps()).with("cube.obj", crate::support::CUBE);
+    folder.run("square.obj -o a.png --displace").fails_with(&["--displace", "--height-map"]);
+    folder.run("cube.obj -o a.png --displace --height-map h.tga").fails_with(&["texture coordinates"]);
+    folder.run("square.obj -o a.png --displace --height-map none.png").fails_with(&["none.png"]);
+    folder.run("square.obj -o a.png --displace --displace-edge 0.01 --height-map h.tga").misuses_with(&["0.1 pixels"]);
+    let limited = "square.obj -o a.png -s 90x90 --height-map h.tga --displace --displace-limit 100";
+    folder.run(limited).succeeds().says(&["100 triangles", "--displace-limit"]);
+}

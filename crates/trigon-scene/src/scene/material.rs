@@ -126,7 +126,8 @@ pub struct Maps {
     pub bump: Option<TextureRef>,
     /// `norm`, `map_Kn`: tangent-space normals, (r, g, b) = (n + 1) / 2, green up.
     pub normal: Option<TextureRef>,
-    /// `disp`: displacement along the normal; a scalar map. Drawn as `bump` where there is none.
+    /// `disp`: displacement along the normal; a scalar map. Drawn as `bump` where there is none, unless
+    /// [`Scene::displace`](super::Scene::displace) makes geometry of it.
     pub displacement: Option<TextureRef>,
     /// `decal`: a scalar map that mixes the texture over the material's colour; kept, not drawn.
     pub decal: Option<TextureRef>,

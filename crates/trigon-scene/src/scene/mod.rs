@@ -5,6 +5,7 @@
 //! its rows are stored (loaders convert); vertex colours are linear; angles are radians.
 
 mod camera;
+mod displacement;
 mod framing;
 mod light;
 mod material;
@@ -14,6 +15,7 @@ mod scene;
 mod texture;
 
 pub use camera::{Camera, Projection};
+pub use displacement::{Displaced, Displacement};
 pub use framing::Framing;
 pub use light::{Light, LightKind};
 pub use material::{Illumination, Maps, Material};
