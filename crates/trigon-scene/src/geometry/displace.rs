@@ -12,7 +12,7 @@ use super::height_map::HeightMap;
 use super::subdivide::{Edge, Surface};
 use crate::math::vec3::{self, Vec3};
 use crate::scene::Mesh;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// What moves a mesh.
 pub(crate) struct Relief<'a> {
@@ -75,41 +75,40 @@ impl Relief<'_> {
         excess: &dyn Fn([f32; 3], [f32; 3]) -> f64,
     ) -> Vec<(Edge, f64)> {
         let (flat, positions) = (&surface.mesh.positions, &moved.positions);
-        let mut edges = Vec::new();
-        let mut triangles = Vec::new();
-        for (submesh, _) in surface.mesh.submeshes.iter().zip(&self.maps).filter(|(_, map)| map.is_some()) {
-            for triangle in surface.mesh.triangles.get(submesh.triangles.clone()).unwrap_or_default() {
-                let [a, b, c] = triangle.map(|vertex| vertex as usize);
-                let its_edges = surface.edges(*triangle);
-                let ends = [(a, b), (b, c), (c, a)];
-                edges.extend(its_edges.into_iter().zip(ends).map(|(edge, (from, to))| (edge, from, to)));
-                let lengths = ends.map(|(from, to)| length_squared(flat[from], flat[to]));
-                let longest = (1..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best });
-                triangles.push((its_edges, its_edges[longest]));
-            }
-        }
-        edges.sort_unstable();
-        edges.dedup_by_key(|(edge, ..)| *edge);
-        let is_long = |from: usize, to: usize| {
+        let triangles: Vec<[u32; 3]> = surface
+            .mesh
+            .submeshes
+            .iter()
+            .zip(&self.maps)
+            .filter(|(_, map)| map.is_some())
+            .flat_map(|(submesh, _)| surface.mesh.triangles.get(submesh.triangles.clone()).unwrap_or_default())
+            .copied()
+            .collect();
+        let edges = UniqueEdges::new(surface, &triangles);
+        let is_long = |&(_, [from, to]): &(Edge, [usize; 2])| {
             excess(positions[from], positions[to]) > 1.0 && excess(flat[from], flat[to]) > STEEPEST
         };
-        let mut marked: HashSet<Edge> =
-            edges.iter().filter(|(_, from, to)| is_long(*from, *to)).map(|(edge, ..)| *edge).collect();
+        let mut is_marked: Vec<bool> = edges.list.iter().map(is_long).collect();
         // With any edge its triangle's longest one is halved, in the neighbours too: else slivers would arise whose
         // diagonals stay long for ever (Rivara, "Algorithms for Refining Triangular Grids", 1984).
-        loop {
-            let before = marked.len();
-            for (its_edges, longest) in &triangles {
-                if its_edges.iter().any(|edge| marked.contains(edge)) {
-                    marked.insert(*longest);
+        let longest: Vec<u32> = triangles
+            .iter()
+            .zip(&edges.of_triangles)
+            .map(|(triangle, its)| its[longest_side(flat, *triangle)])
+            .collect();
+        let mut is_growing = true;
+        while is_growing {
+            is_growing = false;
+            for (its_edges, longest) in edges.of_triangles.iter().zip(&longest) {
+                let longest = *longest as usize;
+                if !is_marked[longest] && its_edges.iter().any(|edge| is_marked[*edge as usize]) {
+                    is_marked[longest] = true;
+                    is_growing = true;
                 }
             }
-            if marked.len() == before {
-                break;
-            }
         }
-        edges.retain(|(edge, ..)| marked.contains(edge));
-        edges.into_iter().map(|(edge, from, to)| (edge, excess(positions[from], positions[to]))).collect()
+        let marked = edges.list.into_iter().zip(is_marked).filter(|(_, is_marked)| *is_marked);
+        marked.map(|((edge, [from, to]), _)| (edge, excess(positions[from], positions[to]))).collect()
     }
 
     /// Where every vertex goes.
@@ -212,10 +211,41 @@ struct Moved {
     is_moved: Vec<bool>,
 }
 
-/// Before displacement: it decides about the shape of triangles, not about their size.
-fn length_squared(a: [f32; 3], b: [f32; 3]) -> f64 {
-    let step = vec3::sub(vec3::widen(b), vec3::widen(a));
-    vec3::dot(step, step)
+/// The edges of some triangles.
+struct UniqueEdges {
+    /// Sorted, each once, with the two vertices of one of its sides.
+    list: Vec<(Edge, [usize; 2])>,
+    /// For each triangle, where its edges are in the list.
+    of_triangles: Vec<[u32; 3]>,
+}
+
+impl UniqueEdges {
+    fn new(surface: &Surface, triangles: &[[u32; 3]]) -> Self {
+        let mut sides: Vec<(Edge, u32, u8)> = Vec::with_capacity(3 * triangles.len());
+        for (number, triangle) in (0_u32..).zip(triangles) {
+            let [a, b, c] = surface.edges(*triangle);
+            sides.extend([(a, number, 0), (b, number, 1), (c, number, 2)]);
+        }
+        sides.sort_unstable();
+        let mut edges = Self { list: Vec::with_capacity(sides.len() / 2), of_triangles: vec![[0; 3]; triangles.len()] };
+        for (edge, number, side) in sides {
+            let (number, side) = (number as usize, usize::from(side));
+            if edges.list.last().is_none_or(|(last, _)| *last != edge) {
+                let [from, to] = [triangles[number][side], triangles[number][(side + 1) % 3]];
+                edges.list.push((edge, [from as usize, to as usize]));
+            }
+            edges.of_triangles[number][side] = u32::try_from(edges.list.len() - 1).unwrap_or(u32::MAX);
+        }
+        edges
+    }
+}
+
+/// The longest side of a triangle before displacement, 0 for that after the first corner: it decides about the shape of
+/// triangles, not about their size.
+fn longest_side(positions: &[[f32; 3]], triangle: [u32; 3]) -> usize {
+    let [a, b, c] = triangle.map(|vertex| vec3::widen(positions[vertex as usize]));
+    let lengths = [vec3::sub(b, a), vec3::sub(c, b), vec3::sub(a, c)].map(|side| vec3::dot(side, side));
+    (1..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best })
 }
 
 /// A normal as long as twice the area of the triangle.
