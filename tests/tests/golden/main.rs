@@ -9,6 +9,7 @@ mod loaders;
 mod overlays;
 mod raster;
 mod shading;
+mod svg;
 mod texture;
 
 use trigon_tests::corpus;
@@ -31,6 +32,7 @@ fn every_stored_picture_belongs_to_a_case() {
         include_str!("overlays.rs"),
         include_str!("raster.rs"),
         include_str!("shading.rs"),
+        include_str!("svg.rs"),
         include_str!("texture.rs"),
     ];
     let is_drawn = |case: &String| sources.iter().any(|source| source.contains(&format!("\"{case}\"")));
