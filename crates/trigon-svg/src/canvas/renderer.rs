@@ -77,7 +77,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Draws what of `drawing` lies in `picture` over what the picture holds: labels on a model, a model's notes on a map.
+    /// Draws what of `drawing` lies in `picture` over what the picture holds: labels over a model.
     /// Its pixels are below the first shape as a background is, for blend modes too.
     ///
     /// # Errors

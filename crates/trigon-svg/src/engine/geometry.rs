@@ -7,12 +7,12 @@ use super::coverage::{BAND_ROWS, Bounds};
 use super::edge::{Edge, EdgeBuilder};
 use super::flatten::{LineSink, TOLERANCE, flatten};
 use super::samples::SampleRows;
-use super::stroke::{self, Hairline};
+use super::stroke::{self, Hairline, StrokeMemory};
 use crate::canvas::{FillRule, Outline, Path, Transform};
 use std::ops::Range;
 
 /// Shapes in a chunk.
-const CHUNK: usize = 64;
+const CHUNK: usize = 32;
 
 /// A shape before it is flattened.
 pub(crate) struct Outlined<'a> {
@@ -29,6 +29,15 @@ pub(crate) struct Outlined<'a> {
 /// The edges of all shapes of a drawing.
 pub(crate) struct Geometry {
     chunks: Vec<Chunk>,
+}
+
+/// What one thread makes chunks with.
+struct Worker<'a> {
+    /// For shapes of samples, and for those with crisp edges.
+    builders: [EdgeBuilder<'a>; 2],
+    strokes: StrokeMemory,
+    /// The first and last band that each edge of a shape meets.
+    bands: Vec<[u32; 2]>,
 }
 
 /// The edges of up to [`CHUNK`] shapes.
@@ -64,16 +73,19 @@ impl Geometry {
     pub(crate) fn new(shapes: &[Outlined<'_>], samples: &SampleRows, size: [u32; 2], threads: usize) -> Self {
         let mut chunks: Vec<Chunk> = Vec::new();
         chunks.resize_with(shapes.len().div_ceil(CHUNK), Chunk::default);
-        let builders = |_| [samples, SampleRows::centers()].map(|samples| EdgeBuilder::new(samples, size));
-        let mut builders: Vec<[EdgeBuilder<'_>; 2]> =
-            (0..threads.clamp(1, chunks.len().max(1))).map(builders).collect();
+        let worker = |_| Worker {
+            builders: [samples, SampleRows::centers()].map(|samples| EdgeBuilder::new(samples, size)),
+            strokes: StrokeMemory::default(),
+            bands: Vec::new(),
+        };
+        let mut workers: Vec<Worker<'_>> = (0..threads.clamp(1, chunks.len().max(1))).map(worker).collect();
         let work = chunks.iter_mut().zip(shapes.chunks(CHUNK));
-        trigon::schedule::share(&mut builders, work, |builders, (chunk, shapes): (&mut Chunk, &[Outlined<'_>])| {
+        trigon::schedule::share(&mut workers, work, |worker, (chunk, shapes): (&mut Chunk, &[Outlined<'_>])| {
             for shape in shapes {
-                let builder = &mut builders[usize::from(shape.is_crisp)];
+                let builder = &mut worker.builders[usize::from(shape.is_crisp)];
                 builder.clear();
-                build(shape, builder);
-                chunk.add(builder, shape.is_crisp);
+                build(shape, &mut worker.strokes, builder);
+                chunk.add(builder, shape.is_crisp, &mut worker.bands);
             }
         });
         Self { chunks }
@@ -117,14 +129,14 @@ pub(crate) fn bands(bounds: &Bounds) -> Range<u32> {
 }
 
 /// The edges of one shape, into `builder`.
-fn build(shape: &Outlined<'_>, builder: &mut EdgeBuilder<'_>) {
+fn build(shape: &Outlined<'_>, strokes: &mut StrokeMemory, builder: &mut EdgeBuilder<'_>) {
     if !shape.transform.is_finite() {
         return;
     }
     match shape.outline {
         Outline::Fill(_) => flatten(shape.path, &shape.transform, TOLERANCE, builder),
         Outline::Stroke(style) => {
-            stroke::stroke(shape.path, style, shape.hairline.as_ref(), &shape.transform, builder);
+            stroke::stroke(shape.path, style, shape.hairline.as_ref(), &shape.transform, strokes, builder);
         }
     }
     builder.close();
@@ -161,11 +173,11 @@ impl LineSink for EdgeBuilder<'_> {
 
 impl Chunk {
     /// Takes over the shape that a builder holds.
-    fn add(&mut self, builder: &EdgeBuilder<'_>, is_crisp: bool) {
+    fn add(&mut self, builder: &EdgeBuilder<'_>, is_crisp: bool, met: &mut Vec<[u32; 2]>) {
         let edges = builder.edges();
         let bounds = Bounds { columns: builder.columns(), rows: builder.rows() };
         let (first_edge, first_end) = (self.edges.len() as u32, self.ends.len() as u32);
-        let is_sorted = self.sort(edges, builder.rows_per_band(), bands(&bounds));
+        let is_sorted = self.sort(edges, builder.rows_per_band(), bands(&bounds), met);
         if !is_sorted {
             self.edges.extend_from_slice(edges);
             self.ends.push(self.edges.len() as u32);
@@ -175,25 +187,25 @@ impl Chunk {
 
     /// Copies each edge into each band that it meets, in order. Gives up, with nothing changed, if there would be far
     /// more copies than edges.
-    fn sort(&mut self, edges: &[Edge], rows_per_band: u32, bands: Range<u32>) -> bool {
+    fn sort(&mut self, edges: &[Edge], rows_per_band: u32, bands: Range<u32>, met: &mut Vec<[u32; 2]>) -> bool {
         if bands.len() <= 1 {
             self.edges.extend_from_slice(edges);
             self.ends.push(self.edges.len() as u32);
             return true;
         }
-        let met = |edge: &Edge| {
-            let (first, last) = (edge.first as u32 / rows_per_band, (edge.end as u32 - 1) / rows_per_band);
-            (first - bands.start) as usize..=(last - bands.start) as usize
-        };
+        met.clear();
+        met.extend(edges.iter().map(|edge| {
+            [edge.first as u32 / rows_per_band - bands.start, (edge.end as u32 - 1) / rows_per_band - bands.start]
+        }));
         let first_end = self.ends.len();
         self.ends.resize(first_end + bands.len(), 0);
         let ends = &mut self.ends[first_end..];
         let mut copies = 0;
-        for edge in edges {
-            for end in &mut ends[met(edge)] {
+        for &[first, last] in met.iter() {
+            for end in &mut ends[first as usize..=last as usize] {
                 *end += 1;
             }
-            copies += met(edge).count();
+            copies += (last - first + 1) as usize;
         }
         if copies > 16 * edges.len() + 4096 {
             self.ends.truncate(first_end);
@@ -206,8 +218,8 @@ impl Chunk {
         }
         let Some(filler) = edges.first() else { return true };
         self.edges.resize(next as usize, *filler);
-        for edge in edges {
-            for end in &mut ends[met(edge)] {
+        for (edge, &[first, last]) in edges.iter().zip(met.iter()) {
+            for end in &mut ends[first as usize..=last as usize] {
                 self.edges[*end as usize] = *edge;
                 *end += 1;
             }

@@ -11,5 +11,5 @@ mod hairline;
 mod outline;
 mod polyline;
 
-pub(crate) use draw::stroke;
+pub(crate) use draw::{StrokeMemory, stroke};
 pub(crate) use hairline::Hairline;

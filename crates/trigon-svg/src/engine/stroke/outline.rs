@@ -26,8 +26,8 @@ pub(super) struct Outliner<'a, S> {
     transform: &'a Transform,
     sink: &'a mut S,
     /// The strip at hand: its left side, and its right side, both from its start on.
-    left: Vec<[f64; 2]>,
-    right: Vec<[f64; 2]>,
+    left: &'a mut Vec<[f64; 2]>,
+    right: &'a mut Vec<[f64; 2]>,
     /// The point on the line where the strip starts.
     start: [f64; 2],
     /// Points that arcs may still have.
@@ -57,9 +57,15 @@ impl Segment {
 }
 
 impl<'a, S: LineSink> Outliner<'a, S> {
-    pub(super) fn new(style: &Stroke, tolerance: f64, transform: &'a Transform, sink: &'a mut S) -> Self {
+    /// The two sides are memory to work in.
+    pub(super) fn new(
+        style: &Stroke,
+        tolerance: f64,
+        transform: &'a Transform,
+        [left, right]: &'a mut [Vec<[f64; 2]>; 2],
+        sink: &'a mut S,
+    ) -> Self {
         let radius = f64::from(style.width) * 0.5;
-        let (left, right) = (Vec::new(), Vec::new());
         Self {
             cap: style.cap,
             join: style.join,

@@ -41,26 +41,43 @@ impl Polyline {
     }
 }
 
-/// Collects the lines of a path.
+/// Collects the lines of a path. Reused from path to path, for its memory.
 #[derive(Default)]
 pub(super) struct PolylineSink {
-    done: Vec<Polyline>,
-    current: Polyline,
+    /// The first `count` of them are done; the next one is open.
+    lines: Vec<Polyline>,
+    count: usize,
     is_in_curve: bool,
     /// A segment was drawn since the last move, even if of no length.
     has_segment: bool,
 }
 
 impl PolylineSink {
+    /// Forgets the last path.
+    pub(super) fn restart(&mut self) {
+        self.count = 0;
+        self.is_in_curve = false;
+        self.has_segment = false;
+        self.open().clear();
+    }
+
     /// The contours that have at least one segment.
-    pub(super) fn finish(mut self) -> Vec<Polyline> {
+    pub(super) fn finish(&mut self) -> &[Polyline] {
         self.end_contour(false);
-        self.done
+        &self.lines[..self.count]
+    }
+
+    fn open(&mut self) -> &mut Polyline {
+        if self.lines.len() == self.count {
+            self.lines.push(Polyline::default());
+        }
+        &mut self.lines[self.count]
     }
 
     fn end_contour(&mut self, is_closed: bool) {
-        let mut line = core::mem::take(&mut self.current);
-        if core::mem::take(&mut self.has_segment) && !line.vertices.is_empty() {
+        let has_segment = core::mem::take(&mut self.has_segment);
+        let line = self.open();
+        if has_segment && !line.vertices.is_empty() {
             line.is_closed = is_closed;
             if is_closed
                 && line.vertices.len() > 1
@@ -68,20 +85,22 @@ impl PolylineSink {
             {
                 line.vertices.pop();
             }
-            self.done.push(line);
+            self.count += 1;
         }
+        self.open().clear();
     }
 }
 
 impl LineSink for PolylineSink {
     fn move_to(&mut self, point: [f64; 2]) {
         self.end_contour(false);
-        self.current.push(Vertex { point, is_corner: true });
+        self.open().push(Vertex { point, is_corner: true });
     }
 
     fn line_to(&mut self, point: [f64; 2]) {
         self.has_segment = true;
-        self.current.push(Vertex { point, is_corner: !self.is_in_curve });
+        let is_corner = !self.is_in_curve;
+        self.open().push(Vertex { point, is_corner });
     }
 
     fn close(&mut self) {
