@@ -41,6 +41,7 @@
 //! - [`shade`]: shaders, varyings and textures, what a user of the crate writes and fills.
 //! - [`pipeline`]: draws, frames, the renderer and its pictures.
 //! - [`target`]: sample patterns and shading rates. [`schedule`]: the order of tiles.
+//! - [`explain`]: what is told of a pixel: every step from its triangles to its bytes.
 //! - [`lanes`] and [`math`]: the numbers that shaders compute with, and the SIMD level.
 //!
 //! Space: clip space is that of WebGPU (x right, y up) with reversed depth, 1 near and 0 far; the framebuffer has its
@@ -61,6 +62,7 @@
 )]
 
 mod clock;
+pub mod explain;
 #[doc(hidden)]
 pub mod geometry;
 pub mod lanes;

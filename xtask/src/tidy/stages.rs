@@ -14,7 +14,7 @@ const SOURCE: &str = "crates/trigon/src/";
 const STAGES: [&str; 5] = ["geometry", "raster", "shade", "resolve", PIPELINE];
 const PIPELINE: &str = "pipeline";
 /// Modules that every stage stands on.
-const FOUNDATIONS: [&str; 2] = ["lanes", "math"];
+const FOUNDATIONS: [&str; 3] = ["explain", "lanes", "math"];
 
 static STAGE: Rule = Rule {
     name: "stage-order",

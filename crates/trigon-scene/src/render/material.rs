@@ -65,6 +65,20 @@ pub(super) enum Slot {
 impl Slot {
     /// The number of those that are factors; they come first.
     pub(super) const FACTORS: usize = 6;
+
+    /// What a story calls it.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Diffuse => "diffuse map",
+            Self::Ambient => "ambient map",
+            Self::Specular => "specular map",
+            Self::Emissive => "emissive map",
+            Self::Exponent => "exponent map",
+            Self::Opacity => "opacity map",
+            Self::Normal => "normal map",
+            Self::Bump => "bump map",
+        }
+    }
 }
 
 /// One texture read.

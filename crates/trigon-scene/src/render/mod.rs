@@ -20,6 +20,7 @@ mod shaders;
 mod shadow_map;
 mod shapes;
 mod sorting;
+mod story;
 mod texture_cache;
 mod texture_upload;
 
@@ -28,3 +29,4 @@ pub use error::RenderError;
 pub use scene_renderer::SceneRenderer;
 pub use settings::{AlphaMode, RenderSettings, TextureSampling, Wireframe};
 pub use shader_kind::{ShaderKind, UnknownShader};
+pub use story::{DrawLabel, SceneStory};

@@ -15,6 +15,7 @@ use super::settings::RenderSettings;
 use super::shader_kind::ShaderKind;
 use super::shadow_map::ShadowMemory;
 use super::shapes::Shapes;
+use super::story::SceneStory;
 use super::texture_cache::TextureCache;
 use crate::load::Warning;
 use crate::scene::{Camera, Instance, LightKind, Material, Mesh, Scene};
@@ -30,6 +31,14 @@ pub struct SceneRenderer {
     facts: Vec<MeshFacts>,
     neutral: Material,
     shadows: ShadowMemory,
+}
+
+/// A frame about to be drawn.
+struct Made<'f, 'a> {
+    pieces: &'f [Piece<'a>],
+    items: &'f [Item<'f>],
+    draws: &'f [Draw<'f>],
+    uniforms: &'f FrameUniforms,
 }
 
 /// What is known of a mesh beyond its data.
@@ -90,6 +99,62 @@ impl SceneRenderer {
         picture: &mut Picture,
     ) -> Result<(FrameStatistics, Vec<Warning>), RenderError> {
         let warnings = self.prepare(scene, settings);
+        let (mut statistics, passes) = self.with_draws(renderer, scene, camera, settings, |renderer, made| {
+            let mut statistics = renderer.render(&frame(settings), made.draws, picture)?;
+            finish(picture, settings, made.items);
+            if let Some(outline) = settings.outline {
+                let scale = outline::scale(settings);
+                let size = [settings.width * scale, settings.height * scale];
+                let (shapes, times) = Shapes::draw(renderer, made.pieces, camera, made.uniforms, size)?;
+                outline::draw(picture, &shapes, scale, &outline, renderer.options());
+                add_times(&mut statistics, &times);
+            }
+            Ok(statistics)
+        })?;
+        add_times(&mut statistics, &passes);
+        Ok((statistics, warnings))
+    }
+
+    /// Tells how one pixel of the picture that [`render`](Self::render) draws comes about; `pixel` is its column and row.
+    ///
+    /// The outputs that the settings ask for do not matter.
+    ///
+    /// # Errors
+    ///
+    /// As [`render`](Self::render), or a pixel outside of the picture.
+    pub fn explain(
+        &mut self,
+        renderer: &mut Renderer,
+        scene: &Scene,
+        camera: &Camera,
+        settings: &RenderSettings,
+        pixel: [u32; 2],
+    ) -> Result<(SceneStory, Vec<Warning>), RenderError> {
+        let warnings = self.prepare(scene, settings);
+        let (mut story, _) = self.with_draws(renderer, scene, camera, settings, |renderer, made| {
+            let story = renderer.explain(&frame(settings), made.draws, pixel)?;
+            Ok(SceneStory::new(story, scene, made.pieces, made.items))
+        })?;
+        // Last steps that look at the whole picture.
+        if settings.shader == ShaderKind::Overdraw || settings.outline.is_some() {
+            let mut picture = Picture::default();
+            let settings = RenderSettings { outputs: Outputs::COLOR, ..*settings };
+            self.render(renderer, scene, camera, &settings, &mut picture)?;
+            let color = picture.color.and_then(|color| color.get(pixel[0], pixel[1]));
+            story.color = color.unwrap_or(story.color);
+        }
+        Ok((story, warnings))
+    }
+
+    /// Makes the draws of a frame, and the maps that they read, and calls `work` with them; counts the passes before.
+    fn with_draws<T>(
+        &mut self,
+        renderer: &mut Renderer,
+        scene: &Scene,
+        camera: &Camera,
+        settings: &RenderSettings,
+        work: impl FnOnce(&mut Renderer, &Made<'_, '_>) -> Result<T, RenderError>,
+    ) -> Result<(T, FrameStatistics), RenderError> {
         let mut uniforms = FrameUniforms::new(scene, camera, settings);
         let mut shadows = std::mem::take(&mut self.shadows);
         let pieces = self.pieces(scene, settings);
@@ -107,20 +172,13 @@ impl SceneRenderer {
         let blended = draws::sort_blended(&pieces, settings, &uniforms);
         let items = draws::list(&pieces, &blended, settings, &uniforms);
         let draws: Vec<Draw<'_>> = (0u32..).zip(&items).map(|(number, item)| draw(item, number)).collect();
-        let mut statistics = renderer.render(&frame(settings), &draws, picture)?;
-        finish(picture, settings, &items);
+        let made = Made { pieces: &pieces, items: &items, draws: &draws, uniforms: &uniforms };
+        let done = work(renderer, &made)?;
+        drop(draws);
         drop(items);
-        if let Some(outline) = settings.outline {
-            let scale = outline::scale(settings);
-            let size = [settings.width * scale, settings.height * scale];
-            let (shapes, times) = Shapes::draw(renderer, &pieces, camera, &uniforms, size)?;
-            outline::draw(picture, &shapes, scale, &outline, renderer.options());
-            add_times(&mut passes, &times);
-        }
-        add_times(&mut statistics, &passes);
         shadows.take_back(uniforms.lighting);
         self.shadows = shadows;
-        Ok((statistics, warnings))
+        Ok((done, passes))
     }
 
     fn pieces<'a>(&'a self, scene: &'a Scene, settings: &RenderSettings) -> Vec<Piece<'a>> {

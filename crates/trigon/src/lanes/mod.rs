@@ -15,6 +15,7 @@ mod gather;
 mod int;
 mod level;
 mod mask;
+mod noted;
 mod records;
 mod stream;
 mod token;
@@ -25,6 +26,7 @@ pub use gather::Zero;
 pub use int::{I32, U32};
 pub use level::{Kernel, SimdError, SimdLevel};
 pub use mask::Mask;
+pub use noted::Noted;
 pub use token::{LANES, Lanes};
 pub use vector::{Mat4, Rgba, Vec2, Vec3, Vec4};
 

@@ -3,7 +3,8 @@
 //! In: scalars, arrays, slices. Out: lane values. A token can only be had from [`dispatch`](super::level), which
 //! checked that the CPU has the level; so every operation on it is safe.
 
-use super::{F32, I32, Mask, U32, Vec2, Vec3, Vec4};
+use super::{F32, I32, Mask, Noted, U32, Vec2, Vec3, Vec4};
+use crate::explain;
 use fearless_simd::{Simd, SimdBase, SimdMask, f32x16, i32x16, mask32x16, u32x16};
 
 /// Logical lanes of every lane value, at every level.
@@ -83,6 +84,38 @@ pub trait Lanes: Simd {
     #[inline(always)]
     fn vec4(self, v: [f32; 4]) -> Vec4<Self> {
         Vec4 { x: self.f32(v[0]), y: self.f32(v[1]), z: self.f32(v[2]), w: self.f32(v[3]) }
+    }
+
+    /// Tells a value by its name where a pixel is being explained (see [`crate::explain`]).
+    ///
+    /// Shaders name the terms of their result with it. It costs nothing: at SIMD levels it compiles to nothing.
+    #[inline(always)]
+    fn note(self, name: &'static str, value: impl Noted<Self>) {
+        if self.is_explaining() {
+            value.note(name);
+        }
+    }
+
+    /// Tells what the notes that follow belong to: "light", number 2.
+    #[inline(always)]
+    fn note_topic(self, name: &'static str, number: Option<u32>) {
+        if self.is_explaining() {
+            explain::note_topic(name, number);
+        }
+    }
+
+    /// True while lanes are watched, which is so at the plain level alone; constant at all others.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn is_explaining(self) -> bool {
+        is_plain(self) && explain::is_watching()
+    }
+
+    /// True at the plain level, the one that can explain pixels; constant at every level.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn can_explain(self) -> bool {
+        is_plain(self)
     }
 }
 

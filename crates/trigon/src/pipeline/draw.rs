@@ -142,6 +142,17 @@ pub enum FrameError {
         /// As asked for.
         height: u32,
     },
+    /// A pixel to be explained that the frame does not have.
+    NoPixel {
+        /// Column.
+        x: u32,
+        /// Row.
+        y: u32,
+        /// Of the frame.
+        width: u32,
+        /// Of the frame.
+        height: u32,
+    },
     /// More primitives than a draw's 32-bit numbers can name.
     TooManyPrimitives(usize),
 }
@@ -151,6 +162,9 @@ impl fmt::Display for FrameError {
         match self {
             Self::Size { width, height } => {
                 write!(f, "picture size {width}x{height} is outside 1..={MAX_SIZE} pixels a side")
+            }
+            Self::NoPixel { x, y, width, height } => {
+                write!(f, "there is no pixel {x},{y} in a picture of {width}x{height}; both count from 0")
             }
             Self::TooManyPrimitives(count) => write!(f, "a draw has {count} primitives, more than {}", u32::MAX),
         }

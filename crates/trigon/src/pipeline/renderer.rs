@@ -39,7 +39,7 @@ impl RendererOptions {
 pub struct Renderer {
     options: RendererOptions,
     level: Level,
-    chunks: Vec<Chunk>,
+    pub(super) chunks: Vec<Chunk>,
     scratch: Vec<ChunkScratch>,
     tiles: Vec<TileWorker>,
 }
@@ -76,10 +76,7 @@ impl Renderer {
         frame.check()?;
         let tasks = chunk_tasks(draws)?;
         picture.prepare(frame);
-        let pixels = frame.width as usize * frame.height as usize;
-        let primitives: usize = tasks.iter().map(|task| task.count).sum();
-        let is_small = primitives < SMALL_FRAME.0 && pixels < SMALL_FRAME.1;
-        let threads = if is_small { 1 } else { self.options.threads.max(1) };
+        let threads = self.threads(frame, &tasks);
 
         let started = Stopwatch::start();
         self.run_geometry(frame, draws, &tasks, threads);
@@ -109,7 +106,15 @@ impl Renderer {
         Ok(statistics)
     }
 
-    fn run_geometry(&mut self, frame: &Frame, draws: &[Draw<'_>], tasks: &[ChunkTask], threads: usize) {
+    /// How many threads the frame is worth.
+    pub(super) fn threads(&self, frame: &Frame, tasks: &[ChunkTask]) -> usize {
+        let pixels = frame.width as usize * frame.height as usize;
+        let primitives: usize = tasks.iter().map(|task| task.count).sum();
+        let is_small = primitives < SMALL_FRAME.0 && pixels < SMALL_FRAME.1;
+        if is_small { 1 } else { self.options.threads.max(1) }
+    }
+
+    pub(super) fn run_geometry(&mut self, frame: &Frame, draws: &[Draw<'_>], tasks: &[ChunkTask], threads: usize) {
         if self.chunks.len() < tasks.len() {
             self.chunks.resize_with(tasks.len(), Chunk::default);
         }
@@ -136,13 +141,13 @@ impl Renderer {
 }
 
 /// A range of a draw's primitives.
-struct ChunkTask {
+pub(super) struct ChunkTask {
     draw: u32,
     first: usize,
     count: usize,
 }
 
-fn chunk_tasks(draws: &[Draw<'_>]) -> Result<Vec<ChunkTask>, FrameError> {
+pub(super) fn chunk_tasks(draws: &[Draw<'_>]) -> Result<Vec<ChunkTask>, FrameError> {
     let mut tasks = Vec::new();
     for (d, draw) in draws.iter().enumerate() {
         let total = draw.primitives.count();
@@ -157,7 +162,7 @@ fn chunk_tasks(draws: &[Draw<'_>]) -> Result<Vec<ChunkTask>, FrameError> {
 }
 
 /// Every tile's segments, chunk by chunk in submission order.
-struct TileBins {
+pub(super) struct TileBins {
     /// `(chunk, segment)`, grouped by tile.
     segments: Vec<(u32, Segment)>,
     /// First segment of each tile, and the end.
@@ -167,7 +172,7 @@ struct TileBins {
 }
 
 impl TileBins {
-    fn new(frame: &Frame, chunks: &[Chunk]) -> Self {
+    pub(super) fn new(frame: &Frame, chunks: &[Chunk]) -> Self {
         let size = TILE_SIZE as u32;
         let tiles = frame.width.div_ceil(size) as usize * frame.height.div_ceil(size) as usize;
         let mut starts = vec![0u32; tiles + 1];
@@ -192,7 +197,7 @@ impl TileBins {
         Self { segments, starts, cost }
     }
 
-    fn segments(&self, tile: u32) -> &[(u32, Segment)] {
+    pub(super) fn segments(&self, tile: u32) -> &[(u32, Segment)] {
         let tile = tile as usize;
         &self.segments[self.starts[tile] as usize..self.starts[tile + 1] as usize]
     }

@@ -6,6 +6,7 @@
 use super::output::TilePixels;
 use super::tile::TileInput;
 use super::visible::VisibleTriangles;
+use super::witness::FragmentWitness;
 use crate::lanes::{LANES, Lanes, U32};
 use crate::raster::{
     BLOCK_PIXELS, BLOCK_SIZE, BLOCKS_PER_SIDE, BlockState, GROUPS, MAX_SAMPLES, NO_TRIANGLE, PassMasks, Tile,
@@ -27,6 +28,8 @@ pub(crate) struct Shading {
     fetched: FragmentRows,
     /// Sample positions in a pixel, by axis.
     offsets: [[f32; LANES]; 2],
+    /// Looks on where a pixel is explained.
+    pub(crate) witness: Option<FragmentWitness>,
 }
 
 /// No draw has this number.
@@ -156,9 +159,19 @@ impl Shading {
         self.colors.resize(self.list.group_count(), [[0.0; LANES]; 4]);
         let shader = view.input.draws[draw as usize].shader;
         let records = view.visible.records();
+        if l.can_explain()
+            && let Some(witness) = &mut self.witness
+        {
+            witness.before(view, &self.list, Some(colors));
+        }
         let mut batch = FragmentBatch { records, fragments: self.list.range(), fetched: &mut self.fetched };
         shader.shade(view.input.level, &mut batch, &mut self.colors);
         colors.merge(l, &self.list, &self.colors, blend);
+        if l.can_explain()
+            && let Some(witness) = &mut self.witness
+        {
+            witness.after(view, &mut batch, shader, Some((&self.colors, colors)));
+        }
     }
 
     /// Lists the fragments of one triangle.
@@ -194,8 +207,18 @@ impl Shading {
         self.kept.resize(self.list.group_count(), 0);
         let shader = view.input.draws[view.visible.draw_number(id) as usize].shader;
         let records = view.visible.records();
+        if l.can_explain()
+            && let Some(witness) = &mut self.witness
+        {
+            witness.before(view, &self.list, None);
+        }
         let mut batch = FragmentBatch { records, fragments: self.list.range(), fetched: &mut self.fetched };
         shader.keep(view.input.level, &mut batch, &mut self.kept);
+        if l.can_explain()
+            && let Some(witness) = &mut self.witness
+        {
+            witness.after(view, &mut batch, shader, None);
+        }
         for (placement, kept) in self.list.placements().iter().zip(&self.kept) {
             match *placement {
                 Placement::InPlace { group, masks } => {

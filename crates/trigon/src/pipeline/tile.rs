@@ -6,7 +6,9 @@
 use super::draw::{Draw, Frame};
 use super::output::{TileOfPicture, TilePixels};
 use super::shading::{Shading, TileView};
+use super::story::{FragmentStory, ResolveStory, TriangleStory};
 use super::visible::VisibleTriangles;
+use super::witness::{Candidate, Witness};
 use crate::geometry::{Chunk, Segment, Tags};
 use crate::lanes::{LANES, Lanes, dispatch, outline};
 use crate::raster::{
@@ -39,6 +41,8 @@ struct TileState {
     pixels: TilePixels,
     samples: &'static [[i16; 2]],
     outputs: super::draw::Outputs,
+    /// Looks on where a pixel is explained.
+    witness: Option<Witness>,
 }
 
 impl TileWorker {
@@ -47,9 +51,17 @@ impl TileWorker {
         &mut self,
         input: &TileInput<'_>,
         segments: &[(u32, Segment)],
-        [column, row]: [u32; 2],
+        place: [u32; 2],
         tile_of_picture: TileOfPicture<'_>,
     ) {
+        self.gather(input, segments, place);
+        if let Some(state) = &self.state {
+            tile_of_picture.store(&state.pixels);
+        }
+    }
+
+    /// Draws the tile at (`column`, `row`) into memory of its own.
+    fn gather(&mut self, input: &TileInput<'_>, segments: &[(u32, Segment)], [column, row]: [u32; 2]) {
         let frame = input.frame;
         let samples = frame.samples.positions();
         let fits = |s: &TileState| s.samples == samples && s.outputs == frame.outputs;
@@ -59,8 +71,30 @@ impl TileWorker {
         if let Some(state) = &mut self.state {
             state.tile.clear([(column as usize * TILE_SIZE) as i32, (row as usize * TILE_SIZE) as i32], 0.0);
             dispatch!(input.level, l => draw_tile(l, state, input, segments));
-            tile_of_picture.store(&state.pixels);
         }
+    }
+
+    /// Draws the tile at (`column`, `row`) at the plain level and tells what is seen at `pixel` of it.
+    pub(crate) fn explain(
+        &mut self,
+        input: &TileInput<'_>,
+        segments: &[(u32, Segment)],
+        [column, row]: [u32; 2],
+        pixel: [usize; 2],
+    ) -> (Vec<TriangleStory>, Vec<FragmentStory>, ResolveStory) {
+        let witness = Witness::new(pixel);
+        let state = self.state.insert(TileState::new(input.frame));
+        state.shading.witness = Some(witness.of_fragments());
+        state.witness = Some(witness);
+        self.gather(input, segments, [column, row]);
+        let Some(TileState { witness: Some(witness), shading, pixels, .. }) = &mut self.state else {
+            unreachable!("drawing keeps the state that fits")
+        };
+        let fragments = shading.witness.take().map_or(Vec::new(), |fragments| fragments.into_stories(witness));
+        let at = witness.index_in_tile();
+        let (clear, count) = (input.frame.clear, input.frame.samples.count());
+        let resolve = witness.resolve_story(clear, count, pixels.color_f32.values[at], pixels.color.values[at]);
+        (core::mem::take(&mut witness.triangles), fragments, resolve)
     }
 }
 
@@ -75,6 +109,16 @@ impl TileState {
             pixels: TilePixels::new(frame.outputs, samples.len()),
             samples,
             outputs: frame.outputs,
+            witness: None,
+        }
+    }
+
+    /// Where a pixel is explained, the other blocks need no colours.
+    #[inline(always)]
+    fn is_beside<L: Lanes>(&self, l: L, b: usize) -> bool {
+        match &self.witness {
+            Some(witness) if l.can_explain() => witness.block != b,
+            _ => false,
         }
     }
 
@@ -96,6 +140,11 @@ fn draw_tile<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, segme
     state.visible.clear();
     let keeps_colors = shades && has_ordered(input, segments);
     state.prepare_colors(keeps_colors, frame);
+    if l.can_explain()
+        && let Some(witness) = &state.witness
+    {
+        state.tile.close_all_but(witness.block);
+    }
 
     for (chunk_number, segment) in segments {
         let chunk = &input.chunks[*chunk_number as usize];
@@ -138,12 +187,25 @@ fn draw_opaque_run<L: Lanes>(
     let samples = state.samples.len();
     for (id, entry) in (first..).zip(entries) {
         let triangle = &chunk.triangles[*entry as usize];
+        if l.can_explain()
+            && let Some(witness) = &mut state.witness
+        {
+            let candidate = Candidate { id, draw: chunk.draw, chunk, triangle };
+            if !witness.before(l, &state.tile, input, &lookup, &candidate) {
+                continue;
+            }
+        }
         if triangle.tags.has(Tags::MICRO) {
             let at = triangle.side as usize;
             let masks = &chunk.masks[at..at + samples];
             draw_micro(l, &mut state.tile, triangle, masks, id, extent, &lookup);
         } else {
             draw_opaque(l, &mut state.tile, triangle, id, extent, &lookup);
+        }
+        if l.can_explain()
+            && let Some(witness) = &mut state.witness
+        {
+            witness.after(l, &state.tile, id, &lookup);
         }
     }
 }
@@ -159,7 +221,9 @@ fn flush<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>) {
     if state.visible.has_unshaded() {
         state.visible.prepare(l, input, &state.tile);
         for b in 0..BLOCKS {
-            shade_block(l, state, input, b, b);
+            if !state.is_beside(l, b) {
+                shade_block(l, state, input, b, b);
+            }
         }
         state.visible.mark_shaded();
     }
@@ -189,19 +253,38 @@ fn draw_ordered<L: Lanes>(
     }
     for id in first..state.visible.len() {
         let triangle = *state.visible.lookup(input).get(id);
+        if l.can_explain()
+            && let Some(witness) = &mut state.witness
+        {
+            let lookup = state.visible.lookup(input);
+            let (chunk, draw) = (lookup.chunk(id), state.visible.draw_number(id));
+            let candidate = Candidate { id, draw, chunk, triangle: &triangle };
+            if !witness.before(l, &state.tile, input, &lookup, &candidate) {
+                continue;
+            }
+        }
         let Some(t) = outline!(l => TileTriangle::new(l, &state.tile, &triangle, extent)) else { continue };
         let mut rest = outline!(l => t.blocks(l)).touched;
         while rest != 0 {
             let b = rest.trailing_zeros() as usize;
             rest &= rest - 1;
+            if state.is_beside(l, b) {
+                continue;
+            }
             state.tile.expand(l, b, &state.visible.lookup(input));
             let mut masks = fill_masks(l, &state.tile, b, &t, draw.depth.compare);
             if masks.any == 0 {
                 continue;
             }
+            let tested = masks;
             if discards {
                 let TileState { tile, visible, shading, .. } = &mut *state;
                 outline!(l => shading.discard(l, TileView { input, tile, visible, b }, id, &mut masks));
+            }
+            if l.can_explain()
+                && let Some(witness) = &mut state.witness
+            {
+                witness.ordered(b, id, &tested, &masks);
             }
             let shown = (!draw.is_ordered()).then_some(id);
             commit(l, &mut state.tile, b, &t, &masks, shown, draw.depth.write);
@@ -223,6 +306,9 @@ fn finish_colors<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, k
     let [r, g, b, a] = input.frame.clear;
     let clear = encode_srgb8(l, l.vec3([r, g, b]).rgba(a))[0];
     for b in 0..BLOCKS {
+        if state.is_beside(l, b) {
+            continue;
+        }
         let to = if keeps_colors { b } else { 0 };
         if !keeps_colors {
             if state.tile.state(b) == BlockState::Clear {
@@ -232,6 +318,11 @@ fn finish_colors<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, k
             state.colors[to].clear(input.frame.clear);
         }
         shade_block(l, state, input, b, to);
+        if l.can_explain()
+            && let Some(witness) = &mut state.witness
+        {
+            witness.resolved(b, &state.colors[to]);
+        }
         store_block(l, &state.colors[to], &mut state.pixels, b);
     }
 }

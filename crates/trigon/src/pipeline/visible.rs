@@ -45,6 +45,11 @@ impl<'a> Lookup<'a> {
         let (chunk, triangle) = self.refs[id as usize];
         &self.chunks[chunk as usize].triangles[triangle as usize]
     }
+
+    /// The chunk that the triangle belongs to.
+    pub(crate) fn chunk(&self, id: u32) -> &'a Chunk {
+        &self.chunks[self.refs[id as usize].0 as usize]
+    }
 }
 
 impl TriangleLookup for Lookup<'_> {

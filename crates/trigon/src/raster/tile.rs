@@ -75,6 +75,15 @@ impl Tile {
         self.blocks.fill(Block { state: BlockState::Clear, nearest: depth, farthest: depth });
     }
 
+    /// Makes every block but `b` one that nothing is in front of: opaque triangles pass it by.
+    pub(crate) fn close_all_but(&mut self, b: usize) {
+        for (other, block) in self.blocks.iter_mut().enumerate() {
+            if other != b {
+                (block.nearest, block.farthest) = (f32::INFINITY, f32::INFINITY);
+            }
+        }
+    }
+
     /// How many samples a pixel has.
     #[must_use]
     pub fn sample_count(&self) -> usize {
@@ -113,6 +122,26 @@ impl Tile {
     pub fn block_depth(&self, b: usize, s: usize) -> &[f32] {
         let at = self.group(b, s);
         self.depth[at..at + GROUPS].as_flattened()
+    }
+
+    /// Depth and triangle of sample `s` of one pixel of block `b`, whatever the block's state is.
+    pub(crate) fn sample<L: Lanes, T: TriangleLookup>(
+        &self,
+        l: L,
+        [b, pixel, s]: [usize; 3],
+        triangles: &T,
+    ) -> (f32, u32) {
+        match self.blocks[b].state {
+            BlockState::Clear => (self.clear_depth, NO_TRIANGLE),
+            BlockState::Single(id) => (self.plane_depth(l, [b, pixel, s], triangles.triangle(id)), id),
+            BlockState::Full => (self.block_depth(b, s)[pixel], self.block_ids(b, s)[pixel]),
+        }
+    }
+
+    /// The depth of a triangle's plane at sample `s` of one pixel of block `b`.
+    pub(crate) fn plane_depth<L: Lanes>(&self, l: L, [b, pixel, s]: [usize; 3], triangle: &ScreenTriangle) -> f32 {
+        let plane = DepthPlane::new(l, triangle, self.block_origin(b), self.samples[s]);
+        plane.at(l, pixel / LANES).to_array()[pixel % LANES]
     }
 
     /// Index of the first lane group of a block's sample plane.

@@ -91,6 +91,12 @@ impl<'a, L: Lanes> TileTriangle<'a, L> {
     #[inline(always)]
     pub(crate) fn block_bases(&self, b: usize, s: usize) -> [i32; 3] {
         let (x, y) = (b % BLOCKS_PER_SIDE * BLOCK_SIZE, b / BLOCKS_PER_SIDE * BLOCK_SIZE);
+        self.edge_values(s, x, y)
+    }
+
+    /// Edge values of sample `s` of the pixel at (`x`, `y`) in the tile; none is negative where it is covered.
+    #[inline(always)]
+    pub(crate) fn edge_values(&self, s: usize, x: usize, y: usize) -> [i32; 3] {
         [self.edges.at(s, 0, x, y), self.edges.at(s, 1, x, y), self.edges.at(s, 2, x, y)]
     }
 

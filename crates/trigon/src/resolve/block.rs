@@ -135,6 +135,13 @@ impl ColorBlock {
         Rgba { r, g, b, a }
     }
 
+    /// The colours of the samples of one pixel, by its number in the block.
+    pub(crate) fn pixel(&self, pixel: usize) -> Vec<[f32; 4]> {
+        let (g, lane) = (pixel / LANES, pixel % LANES);
+        let of = |s: usize| self.planes[if self.is_per_sample { s } else { 0 }][g].map(|channel| channel[lane]);
+        (0..self.planes.len()).map(of).collect()
+    }
+
     /// Samples of a pixel.
     #[inline(always)]
     pub(crate) fn sample_count(&self) -> usize {

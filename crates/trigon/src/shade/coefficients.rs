@@ -281,6 +281,14 @@ pub(crate) fn interpolate<L: Lanes, V: Varying<L>>(l: L, reader: &FragmentRows, 
     }
 }
 
+/// 1/w of sixteen fragments, as [`interpolate`] divides by it.
+#[inline(always)]
+pub(crate) fn inverse_w<L: Lanes>(l: L, reader: &FragmentRows, pixel: Vec2<L>) -> F32<L> {
+    let fx = pixel.x - reader.row(l, ROW_CORNER);
+    let fy = pixel.y - reader.row(l, ROW_CORNER + 1);
+    Plane::read(l, reader, ROW_W).at(fx, fy)
+}
+
 /// Weights of the corners, put in the order in which the primitive's vertices were submitted.
 #[inline(always)]
 fn by_vertex<L: Lanes>(l: L, tags: U32<L>, b: [F32<L>; 3]) -> Vec3<L> {

@@ -3,13 +3,16 @@
 //! In: batches of work for one shader. Out: positions, coefficients, colours. Each method enters the shader's code at
 //! the frame's SIMD level once per batch.
 
-use super::coefficients::{FragmentRows, MAX_COMPONENTS, Rows, TriangleGroup, compute, interpolate, record_quads};
+use super::coefficients::{
+    FragmentRows, MAX_COMPONENTS, Rows, TriangleGroup, compute, interpolate, inverse_w, record_quads,
+};
 use super::fragments::{ColorGroup, FragmentRange, SurfaceGroup};
 use super::shader::{Fragment, Shader};
-use super::varying::Varying;
+use super::varying::{CornerSink, Varying};
+use crate::explain::{self, FragmentFacts, VaryingFacts};
 use crate::geometry::ClipPositions;
-use crate::lanes::{LANES, Lanes, Quad, Vec2, dispatch};
-use fearless_simd::Level;
+use crate::lanes::{F32, LANES, Lanes, Quad, Vec2, dispatch};
+use fearless_simd::{Fallback, Level};
 
 /// Fragments of one draw, and the coefficients of its triangles.
 pub struct FragmentBatch<'a> {
@@ -32,6 +35,8 @@ pub trait ErasedShader: Sync {
     fn keep(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [u16]);
     /// Surfaces of fragments, for the outputs beside colour.
     fn surfaces(&self, level: Level, batch: &mut FragmentBatch<'_>, out: &mut [SurfaceGroup]);
+    /// What the fragment in lane `lane` of group `group` is given.
+    fn facts(&self, batch: &mut FragmentBatch<'_>, group: usize, lane: usize) -> FragmentFacts;
     /// See [`Shader::discards`].
     fn can_discard(&self) -> bool;
 }
@@ -42,7 +47,7 @@ impl<S: Shader> ErasedShader for S {
     }
 
     fn quads(&self) -> usize {
-        record_quads(<S::Varying<fearless_simd::Fallback> as Varying<fearless_simd::Fallback>>::COMPONENTS)
+        record_quads(<S::Varying<Fallback> as Varying<Fallback>>::COMPONENTS)
     }
 
     fn coefficients(&self, level: Level, group: &TriangleGroup, rows: &mut Rows) {
@@ -61,8 +66,47 @@ impl<S: Shader> ErasedShader for S {
         dispatch!(level, l => surfaces(l, self, batch.records, &batch.fragments, batch.fetched, out));
     }
 
+    fn facts(&self, batch: &mut FragmentBatch<'_>, group: usize, lane: usize) -> FragmentFacts {
+        // For people to read, so once for all levels: each gives the same bits.
+        facts::<S>(Fallback::new(), batch, group, lane)
+    }
+
     fn can_discard(&self) -> bool {
         self.discards()
+    }
+}
+
+fn facts<S: Shader>(l: Fallback, batch: &mut FragmentBatch<'_>, group: usize, lane: usize) -> FragmentFacts {
+    batch.fetched.forget();
+    let f = fragment::<Fallback, S>(l, batch.fetched, batch.records, &batch.fragments, group);
+    let mut names = Vec::new();
+    <S::Varying<Fallback> as Varying<Fallback>>::names("", &mut names);
+    let mut sink = FactSink { lane, values: Vec::with_capacity(names.len()) };
+    Varying::write([f.varying, f.dx, f.dy], &mut sink);
+    let at = |value: F32<Fallback>| value.to_array()[lane];
+    FragmentFacts {
+        point: [at(f.pixel.x), at(f.pixel.y)],
+        barycentric: [at(f.barycentric.x), at(f.barycentric.y), at(f.barycentric.z)],
+        inverse_w: at(inverse_w(l, batch.fetched, f.pixel)),
+        depth: at(f.depth),
+        is_front: f.front_facing.to_array()[lane],
+        varyings: names
+            .into_iter()
+            .zip(sink.values)
+            .map(|(name, [value, dx, dy])| VaryingFacts { name, value, dx, dy })
+            .collect(),
+    }
+}
+
+/// Takes one lane of a varying's components: values and both derivatives in place of three corners.
+struct FactSink {
+    lane: usize,
+    values: Vec<[f32; 3]>,
+}
+
+impl CornerSink<Fallback> for FactSink {
+    fn push(&mut self, components: [F32<Fallback>; 3]) {
+        self.values.push(components.map(|component| component.to_array()[self.lane]));
     }
 }
 
@@ -99,6 +143,7 @@ fn shade<L: Lanes, S: Shader>(
 ) {
     fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
+        enter_group(l, g);
         let color = shader.fragment(l, &fragment::<L, S>(l, fetched, records, f, g));
         color.r.store(&mut out[0]);
         color.g.store(&mut out[1]);
@@ -118,6 +163,7 @@ fn keep<L: Lanes, S: Shader>(
 ) {
     fetched.forget();
     for (g, out) in out.iter_mut().enumerate() {
+        enter_group(l, g);
         *out = shader.keep(l, &fragment::<L, S>(l, fetched, records, f, g)).bits();
     }
 }
@@ -138,6 +184,14 @@ fn surfaces<L: Lanes, S: Shader>(
         for (value, out) in values.into_iter().zip(out) {
             value.store(out);
         }
+    }
+}
+
+/// Notes from here on are about this group.
+#[inline(always)]
+fn enter_group<L: Lanes>(l: L, group: usize) {
+    if l.is_explaining() {
+        explain::enter_group(group);
     }
 }
 

@@ -15,6 +15,9 @@ pub trait Varying<L: Lanes>: Copy {
 
     /// Takes each component's value and its derivatives along framebuffer x and y from `source`, in order.
     fn read<S: FragmentSource<L>>(source: &mut S) -> [Self; 3];
+
+    /// Appends the name of each component, in order: `prefix`, with the component where there are several.
+    fn names(prefix: &str, out: &mut Vec<String>);
 }
 
 /// Receives the components of a varying at a primitive's corners.
@@ -37,6 +40,7 @@ impl<L: Lanes> Varying<L> for () {
     fn read<S: FragmentSource<L>>(_: &mut S) -> [Self; 3] {
         [(); 3]
     }
+    fn names(_: &str, _: &mut Vec<String>) {}
 }
 
 impl<L: Lanes> Varying<L> for F32<L> {
@@ -48,6 +52,9 @@ impl<L: Lanes> Varying<L> for F32<L> {
     #[inline(always)]
     fn read<S: FragmentSource<L>>(source: &mut S) -> [Self; 3] {
         source.next()
+    }
+    fn names(prefix: &str, out: &mut Vec<String>) {
+        out.push(prefix.to_owned());
     }
 }
 
@@ -69,6 +76,10 @@ macro_rules! fields {
                     $name { $($field: $field[1]),+ },
                     $name { $($field: $field[2]),+ },
                 ]
+            }
+            fn names(prefix: &str, out: &mut Vec<String>) {
+                let dot = if prefix.is_empty() { "" } else { "." };
+                $(out.push(format!("{prefix}{dot}{}", stringify!($field)));)+
             }
         }
     };
@@ -117,6 +128,14 @@ macro_rules! varying {
                     $name { $($field: $field[1]),+ },
                     $name { $($field: $field[2]),+ },
                 ]
+            }
+
+            fn names(prefix: &str, out: &mut ::std::vec::Vec<::std::string::String>) {
+                let dot = if prefix.is_empty() { "" } else { "." };
+                $({
+                    let name = ::std::format!("{prefix}{dot}{}", ::core::stringify!($field));
+                    <$crate::lanes::$ty<L> as $crate::shade::Varying<L>>::names(&name, out);
+                })+
             }
         }
     };

@@ -140,31 +140,48 @@ impl Lit<'_> {
     fn shade_inline<L: Lanes, O: Obstacles<L>>(&self, l: L, point: &SurfacePoint<L>, obstacles: &O) -> Rgba<L> {
         let surface = self.surface;
         let factors = Factors::read(l, &surface.maps, &point.footprint);
+        l.note_topic("surface", None);
         let color = point.color.xyz();
         let diffuse = (l.vec3(surface.diffuse) * factors.get(Slot::Diffuse).rgb()) * color;
+        l.note("vertex colour", point.color);
+        l.note("diffuse reflectance", diffuse);
         let mut other = l.vec3([0.0; 3]);
         if surface.emissive != [0.0; 3] {
             other = l.vec3(surface.emissive) * factors.get(Slot::Emissive).rgb();
+            l.note("emitted light", other);
         }
         if self.illumination == Illumination::Color && !surface.is_halo {
             return surface.combine(l, &factors, point.color, l.f32(1.0), diffuse, other);
         }
         let normal = self.normals.normal(l, point);
         let cos_eye = normal.dot(point.to_eye);
+        l.note("shading normal N", normal);
+        l.note("unit vector to the eye V", point.to_eye);
+        l.note("N.V", cos_eye);
         if self.illumination == Illumination::Color {
             return surface.combine(l, &factors, point.color, cos_eye, diffuse, other);
         }
         let lighting = &self.frame.lighting;
         if lighting.ambient != [0.0; 3] {
             let ambient = (l.vec3(surface.ambient) * factors.get(Slot::Ambient).rgb()) * color;
-            other += ambient * obstacles.dim(l, l.vec3(lighting.ambient));
+            let ambient_light = ambient * obstacles.dim(l, l.vec3(lighting.ambient));
+            other += ambient_light;
+            l.note("ambient light", ambient_light);
         }
         let shines = self.illumination == Illumination::Specular && surface.specular != [0.0; 3];
         let exponent = if shines { Some(factors.get(Slot::Exponent).r * surface.exponent) } else { None };
         let Reflected { diffuse: diffuse_light, specular } = reflect(l, lighting, obstacles, point, normal, exponent);
+        l.note_topic("sum", None);
+        l.note("diffuse light of all lights", diffuse_light);
+        l.note("diffuse term", diffuse * diffuse_light);
         if shines {
-            other += (l.vec3(surface.specular) * factors.get(Slot::Specular).rgb()) * specular;
+            let reflectance = l.vec3(surface.specular) * factors.get(Slot::Specular).rgb();
+            other += reflectance * specular;
+            l.note("highlights of all lights", specular);
+            l.note("specular reflectance", reflectance);
+            l.note("specular term", reflectance * specular);
         }
+        l.note("ambient, emitted and specular", other);
         surface.combine(l, &factors, point.color, cos_eye, diffuse * diffuse_light, other)
     }
 }
@@ -192,6 +209,7 @@ impl Surface<'_> {
                 }
                 opacity = (opacity * factors.get(Slot::Opacity).r) * vertex_color.w;
                 let alpha = opacity * factors.get(Slot::Diffuse).a;
+                l.note("opacity", alpha);
                 (diffuse * opacity + other * alpha).rgba(alpha)
             }
         }
@@ -204,7 +222,9 @@ impl Surface<'_> {
             #[inline(always)]
             || {
                 let factors = Factors::read(l, &self.opacity_maps, footprint);
-                ((factors.opacity() * self.opacity) * vertex_alpha).ge(0.5)
+                let opacity = (factors.opacity() * self.opacity) * vertex_alpha;
+                l.note("opacity, kept from 0.5 on", opacity);
+                opacity.ge(0.5)
             },
         )
     }

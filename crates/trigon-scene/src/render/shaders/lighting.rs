@@ -30,14 +30,21 @@ pub(super) fn reflect<L: Lanes, O: Obstacles<L>>(
     let mut sum = Reflected { diffuse: black, specular: black };
     if let Some(sky) = &lighting.sky {
         sum.diffuse = obstacles.dim(l, sky.light(l, normal));
+        l.note_topic("sky", None);
+        l.note("diffuse light", sum.diffuse);
     }
     let cos_eye = normal.dot(point.to_eye);
-    for source in &lighting.sources {
+    for (number, source) in (0..).zip(&lighting.sources) {
         let (to_light, strength) = source.reach(l, point.position);
         let cosine = normal.dot(to_light);
         let strength = obstacles.pass(l, source, point, to_light, cosine, strength);
         let lit = cosine.max(0.0) * strength;
         sum.diffuse += l.vec3(source.color) * lit;
+        l.note_topic("light", Some(number));
+        l.note("unit vector to the light L", to_light);
+        l.note("strength at the surface", strength);
+        l.note("N.L", cosine);
+        l.note("diffuse light", l.vec3(source.color) * lit);
         let Some(exponent) = exponent else { continue };
         if !source.has_highlight || !cosine.gt(0.0).any() {
             continue;
@@ -49,6 +56,9 @@ pub(super) fn reflect<L: Lanes, O: Obstacles<L>>(
         let power = exp2(log2(squared.min(1.0)) * (exponent * 0.5));
         let highlight = cosine.gt(0.0).select(power * strength, l.f32(0.0));
         sum.specular += l.vec3(source.color) * highlight;
+        l.note("(N.H)^2", squared);
+        l.note("exponent", exponent);
+        l.note("highlight", l.vec3(source.color) * highlight);
     }
     sum
 }

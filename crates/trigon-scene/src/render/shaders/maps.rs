@@ -73,6 +73,7 @@ impl MapUse<'_> {
 
     #[inline(always)]
     fn sample_inline<L: Lanes>(&self, l: L, footprint: &Footprint<L>) -> Rgba<L> {
+        l.note_topic(self.slot.name(), None);
         let at = footprint.placed(l, self);
         let mut value = self.texture.sample(l, &self.sampler, at.uv, at.dx, at.dy);
         if self.is_scalar {
@@ -92,6 +93,7 @@ impl MapUse<'_> {
             let inside = at.uv.x.ge(0.0) & at.uv.x.le(1.0) & at.uv.y.ge(0.0) & at.uv.y.le(1.0);
             value = inside.select(value, Rgba { r: one, g: one, b: one, a: one });
         }
+        l.note("value of the map", value);
         value
     }
 }

@@ -43,6 +43,7 @@ impl<A: Layout> Overlay<'_, A> {
         let (dx, dy, scale) = (f.dx.uv(), f.dy.uv(), l.vec2(map.scale));
         let lod = map.texture.lod(l, &map.sampler, dx * scale, dy * scale);
         let last = (LEVEL_COLORS.len() - 1) as f32;
+        l.note("level of detail", lod);
         let level = lod.clamp(0.0, last).floor();
         let below = (level + 1.0).min(last);
         let a = level.to_i32_within(0.0, last).as_u32().gather_vec3(&LEVEL_COLORS);
@@ -115,6 +116,7 @@ impl<A: Layout> Shader for Overlay<'_, A> {
     #[inline(always)]
     fn fragment<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Rgba<L> {
         let v = self.value(l, f);
+        l.note("value shown", v);
         Vec3 { x: display(v.x), y: display(v.y), z: display(v.z) }.rgba(1.0)
     }
 

@@ -7,6 +7,7 @@
 use super::address;
 use super::fetch::{LevelLanes, TexelQuad};
 use super::footprint::Footprint;
+use super::notes::{note_color, note_tap};
 use super::pyramid::Texture;
 use super::sampler::{LevelFilter, PixelFilter, Sampler, Wrap};
 use super::texel::sanitize;
@@ -51,7 +52,9 @@ impl Texture {
                     Footprint { lod, taps: l.f32(1.0), axis: l.vec2([0.0, 0.0]) }
                 }
             };
+            self.note_request(l, request, &footprint);
             let colour = self.sample_taps(l, sampler, uv, &footprint);
+            note_color(l, colour);
             [colour.r.to_array(), colour.g.to_array(), colour.b.to_array(), colour.a.to_array()]
         })
     }
@@ -65,7 +68,9 @@ impl Texture {
         loop {
             let wanted = taps.ge(tap);
             let along = l.f32(tap) / (taps + 1.0) - 0.5;
-            let value = self.sample_levels(l, sampler, uv + axis * along, lod);
+            let at = uv + axis * along;
+            note_tap(l, wanted, at);
+            let value = self.sample_levels(l, sampler, at, lod);
             sum += wanted.select(value, zero(l));
             tap += 1.0;
             if !taps.ge(tap).any() {
@@ -85,12 +90,15 @@ impl Texture {
         };
         let fraction = lod - level;
         let index = level.to_i32_in_range();
+        self.note_level(l, sampler, index, fraction, false);
         let value = self.sample_level(l, sampler, uv, &self.level_lanes(l, index));
         // A fraction of zero changes nothing: magnification needs one level only.
         if sampler.level != LevelFilter::Linear || !fraction.gt(0.0).any() {
             return value;
         }
-        value.mix(self.sample_level(l, sampler, uv, &self.level_lanes(l, index + l.i32(1))), fraction)
+        let next = index + l.i32(1);
+        self.note_level(l, sampler, next, fraction, true);
+        value.mix(self.sample_level(l, sampler, uv, &self.level_lanes(l, next)), fraction)
     }
 
     /// The records of the lanes' levels; without a gather where all are the same.
@@ -113,11 +121,13 @@ impl Texture {
         if sampler.pixel == PixelFilter::Nearest {
             let (x, inside_x) = address::nearest(l, sampler.wrap_u, uv.x, level.width);
             let (y, inside_y) = address::nearest(l, sampler.wrap_v, uv.y, level.height);
+            self.note_nearest(l, sampler, (x, inside_x), (y, inside_y));
             let texel = self.fetch(l, level.column(l, x) + level.row(l, y));
             return with_border(l, sampler, inside_x, inside_y, texel);
         }
         let u = address::bilinear(l, sampler.wrap_u, uv.x, level.width);
         let v = address::bilinear(l, sampler.wrap_v, uv.y, level.height);
+        self.note_mixed(l, sampler, &u, &v);
         let (left, right) = (level.column(l, u.texels[0]), level.column(l, u.texels[1]));
         let (top, bottom) = (level.row(l, v.texels[0]), level.row(l, v.texels[1]));
         let texels = [left + top, right + top, left + bottom, right + bottom];
@@ -134,16 +144,16 @@ impl Texture {
 }
 
 /// Two coordinates of sixteen points.
-type Pair = [[f32; LANES]; 2];
+pub(super) type Pair = [[f32; LANES]; 2];
 
 /// What sixteen fragments ask for.
-struct Request {
-    uv: Pair,
-    extent: Extent,
+pub(super) struct Request {
+    pub(super) uv: Pair,
+    pub(super) extent: Extent,
 }
 
 /// How large their footprints are.
-enum Extent {
+pub(super) enum Extent {
     /// The derivatives of uv by the pixel's x and y.
     Gradients(Pair, Pair),
     /// The level of detail before bias and clamps.

@@ -10,6 +10,7 @@ mod filter;
 mod footprint;
 mod layout;
 mod mips;
+mod notes;
 mod pyramid;
 mod sampler;
 mod texel;
