@@ -39,6 +39,10 @@ fn execute(command: &Command, given: Given, written: &Written) -> Result<(), Fai
             deadline::start(options.render.machine.time_limit)?;
             command::turntable(options)
         }
+        Command::Explain(options) => {
+            deadline::start(options.render.machine.time_limit)?;
+            command::explain(options)
+        }
         Command::Completions(options) => command::completions(options),
         Command::Man(options) => command::man(options),
     }

@@ -7,12 +7,17 @@ use std::fmt;
 pub(crate) enum Json {
     Bool(bool),
     Integer(u64),
+    Signed(i64),
     /// Printed with three digits behind the point; null unless finite.
     Decimal(f64),
+    /// Printed in full: the shortest decimals that read back as the same number; null unless finite.
+    Float(f32),
     Text(String),
     /// Coordinates in full, on one line.
     Point([f64; 3]),
     List(Vec<Json>),
+    /// A list on one line.
+    Row(Vec<Json>),
     Object(Vec<(&'static str, Json)>),
 }
 
@@ -57,12 +62,22 @@ fn write_value(f: &mut fmt::Formatter<'_>, value: &Json, depth: usize) -> fmt::R
         Json::Bool(value) => write!(f, "{value}"),
         Json::Integer(number) => write!(f, "{number}"),
         Json::Decimal(number) if number.is_finite() => write!(f, "{number:.3}"),
-        Json::Decimal(_) => f.write_str("null"),
+        Json::Signed(number) => write!(f, "{number}"),
+        Json::Float(number) if number.is_finite() => write!(f, "{number:?}"),
+        Json::Decimal(_) | Json::Float(_) => f.write_str("null"),
         Json::Text(text) => write_text(f, text),
         // Shortest decimals that read back as the same numbers.
         Json::Point([x, y, z]) if [x, y, z].iter().all(|c| c.is_finite()) => write!(f, "[{x}, {y}, {z}]"),
         Json::Point(_) => f.write_str("null"),
         Json::List(items) => write_all(f, depth, '[', ']', items, |f, item| write_value(f, item, depth + 1)),
+        Json::Row(items) => {
+            f.write_str("[")?;
+            for (i, item) in items.iter().enumerate() {
+                f.write_str(if i > 0 { ", " } else { "" })?;
+                write_value(f, item, depth)?;
+            }
+            f.write_str("]")
+        }
         Json::Object(members) => write_all(f, depth, '{', '}', members, |f, (name, member)| {
             write_text(f, name)?;
             f.write_str(": ")?;
@@ -116,10 +131,12 @@ mod tests {
             ("list", Json::List(vec![Json::Integer(u64::MAX), Json::Bool(true), Json::Decimal(0.25)])),
             ("empty", Json::List(Vec::new())),
             ("point", Json::Point([0.1, -2.0, 1e-7])),
+            ("row", Json::Row(vec![Json::Signed(-3), Json::Float(0.1), Json::Float(1e-20), Json::Float(2.0)])),
             ("nothing", Json::Decimal(f64::NAN)),
         ]);
         let expected = "{\n  \"text\": \"a \\\"b\\\"\\\\\\n\\u0001é\",\n  \"list\": [\n    18446744073709551615,\n    \
-                        true,\n    0.250\n  ],\n  \"empty\": [],\n  \"point\": [0.1, -2, 0.0000001],\n  \"nothing\": null\n}";
+                        true,\n    0.250\n  ],\n  \"empty\": [],\n  \"point\": [0.1, -2, 0.0000001],\n  \
+                        \"row\": [-3, 0.1, 1e-20, 2.0],\n  \"nothing\": null\n}";
         assert_eq!(value.to_string(), expected);
     }
 }

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use trigon::pipeline::{Picture, Renderer};
 use trigon_scene::load::Warning;
-use trigon_scene::render::{RenderSettings, SceneRenderer};
+use trigon_scene::render::{RenderSettings, SceneRenderer, SceneStory};
 use trigon_scene::scene::{Camera, Scene};
 
 /// A scene set up to be drawn.
@@ -153,6 +153,27 @@ impl Studio {
             report.hash.add(bytes);
         }
         Ok(images)
+    }
+
+    /// Tells how a pixel of the picture that [`draw`](Self::draw) would make comes about.
+    ///
+    /// `has_layers`: there are pictures behind or before the scene, which the end of the story takes in.
+    pub(crate) fn explain(
+        &mut self,
+        camera: &Camera,
+        pixel: [u32; 2],
+        has_layers: bool,
+    ) -> Result<SceneStory, Failure> {
+        let warnings = self.scene_renderer.prepare(&self.scene, &self.settings);
+        self.warn_all(&warnings)?;
+        let (mut story, _) = self
+            .scene_renderer
+            .explain(&mut self.renderer, &self.scene, camera, &self.settings, pixel)
+            .map_err(|error| Failure::work(error.to_string()))?;
+        if has_layers && let Some(picture) = self.draw(camera)?.bytes {
+            story.color = picture.pixel(pixel[0], pixel[1]);
+        }
+        Ok(story)
     }
 
     /// Says what is odd about what was drawn, and writes the report.

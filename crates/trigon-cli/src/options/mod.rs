@@ -6,6 +6,7 @@ mod choices;
 mod cli;
 mod displacement;
 mod effects;
+mod explain;
 mod given;
 mod input;
 mod machine;
@@ -28,6 +29,7 @@ pub(crate) use choices::{
 pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
 pub(crate) use displacement::DisplacementOptions;
 pub(crate) use effects::EffectOptions;
+pub(crate) use explain::ExplainOptions;
 pub(crate) use given::Given;
 pub(crate) use input::InputOptions;
 pub(crate) use machine::MachineOptions;

@@ -12,7 +12,8 @@ Examples:
   trigon model.obj -o picture.png
   trigon render model.obj -o picture.png --size hd1080 --samples 16
   trigon render drawing.svg -o picture.png --width 1200
-  trigon turntable model.obj -o spin.gif";
+  trigon turntable model.obj -o spin.gif
+  trigon explain model.obj --pixel 512,384";
 
 pub(super) const RENDER_EXAMPLES: &str = "\
 Examples:
@@ -28,6 +29,37 @@ Examples:
   trigon turntable model.obj -o spin.gif
   trigon turntable model.obj -o spin.png --frames 120 --fps 30     (APNG)
   trigon turntable model.obj -o frame-{frame:3}.png --size hd720";
+
+pub(super) const EXPLAIN_EXAMPLES: &str = "\
+Examples:
+  trigon explain model.obj --pixel 512,384
+  trigon explain model.obj --pixel 40,30 --size 80x60 --samples 16
+  trigon explain model.obj --pixel 512,384 -o pixel.png
+  trigon explain model.obj --pixel 512,384 --json=pixel.json";
+
+pub(super) const EXPLAIN_NOTES: &str = "\
+All options of a picture have the meaning that they have for trigon render, so
+that the pixel explained is the pixel drawn, bit for bit: the code that draws
+the picture tells the story while it draws.
+
+The story names every triangle whose box touches the pixel, in drawing order:
+its edge functions at each sample, what is covered, depth tests; then every
+fragment: weights, interpolated values, texels read with their weights, the
+terms of the light; then blending, the mean of the samples, the bytes.
+
+Exit codes: 0 done, 1 a file could not be read or written, 2 the command line
+is wrong.";
+
+pub(super) const EXPLAIN_OUTPUT: &str = "\
+Picture to draw of the pixel, in place of text
+
+Shows the pixels around with the edges of the triangles, and the pixel itself
+with its samples. The extension says the format.";
+
+pub(super) const EXPLAIN_JSON: &str = "\
+The story as JSON, to standard output or to FILE, in place of text
+
+Floats are the shortest decimals that read back as the same numbers.";
 
 pub(super) const COMPLETIONS_EXAMPLES: &str = "\
 Examples:

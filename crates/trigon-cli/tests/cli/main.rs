@@ -2,6 +2,7 @@
 //! messages and its exit code.
 
 mod effects;
+mod explain;
 mod failures;
 mod formats;
 mod help;
