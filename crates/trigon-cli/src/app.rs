@@ -11,11 +11,12 @@ use std::process::ExitCode;
 
 /// Runs the command line; the first argument is the program's name.
 pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
-    let matches = command_line().try_get_matches_from(with_implied_render(arguments));
+    let arguments = with_implied_render(arguments);
+    let matches = command_line().try_get_matches_from(&arguments);
     let read =
         matches.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, Given::of(&matches), Written::of(&matches))));
     let done = match read {
-        Ok((cli, given, written)) => execute(&cli.command, given, &written),
+        Ok((cli, given, written)) => execute(&cli.command, given, &written, &arguments),
         // What was asked for: help or the version.
         Err(text) if !text.use_stderr() => terminal::write_stdout(text.render().to_string().as_bytes()),
         Err(error) => Err(Failure::Table(error.render().to_string())),
@@ -29,7 +30,7 @@ pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     }
 }
 
-fn execute(command: &Command, given: Given, written: &Written) -> Result<(), Failure> {
+fn execute(command: &Command, given: Given, written: &Written, arguments: &[OsString]) -> Result<(), Failure> {
     match command {
         Command::Render(options) => {
             deadline::start(options.render.machine.time_limit)?;
@@ -38,6 +39,10 @@ fn execute(command: &Command, given: Given, written: &Written) -> Result<(), Fai
         Command::Turntable(options) => {
             deadline::start(options.render.machine.time_limit)?;
             command::turntable(options)
+        }
+        Command::Compare(options) => {
+            deadline::start(options.render.render.machine.time_limit)?;
+            command::compare(options, given, arguments)
         }
         Command::Explain(options) => {
             deadline::start(options.render.machine.time_limit)?;

@@ -5,6 +5,7 @@
 
 mod app;
 mod command;
+mod compare;
 mod deadline;
 mod failure;
 mod figure;

@@ -19,18 +19,18 @@ use trigon_image::Rgba8Image;
 use trigon_svg::svg::{SvgError, is_svg};
 
 /// A picture that was drawn, and what the report says about it.
-pub(super) struct Drawn {
-    pub(super) image: Rgba8Image,
-    pub(super) warnings: Vec<String>,
-    pub(super) samples: String,
-    pub(super) simd: &'static str,
-    pub(super) threads: usize,
-    pub(super) load: Duration,
-    pub(super) draw: Duration,
+pub(crate) struct Drawn {
+    pub(crate) image: Rgba8Image,
+    pub(crate) warnings: Vec<String>,
+    pub(crate) samples: String,
+    pub(crate) simd: &'static str,
+    pub(crate) threads: usize,
+    pub(crate) load: Duration,
+    pub(crate) draw: Duration,
 }
 
 /// Whether the only input is an SVG file, by its content, or by its name where the content says nothing.
-pub(super) fn is_drawing(models: &[PathBuf], max_bytes: u64) -> bool {
+pub(crate) fn is_drawing(models: &[PathBuf], max_bytes: u64) -> bool {
     let [path] = models else { return false };
     if path.as_os_str() == "-" {
         return stdin::bytes(max_bytes).is_ok_and(is_svg);
@@ -52,10 +52,7 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     let report_target = ReportTarget::choose(render.output.json.as_ref(), &output);
     report_target.as_ref().map_or(Ok(()), |target| target.check(&render.models))?;
 
-    let mut drawn = match options.svg.preset {
-        None => document::draw(options, given, max_bytes)?,
-        Some(Preset::Cs184) => cs184::draw(options, given, max_bytes)?,
-    };
+    let mut drawn = make(options, given, max_bytes)?;
     let (terminal, path) = (Terminal::detect(render.output.quiet), render.models[0].display());
     for warning in &drawn.warnings {
         if render.input.strict {
@@ -93,6 +90,14 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
         ("times_ms", Json::Object(times)),
     ]);
     write_report(&report, &target, terminal)
+}
+
+/// Reads and draws the file.
+pub(crate) fn make(options: &RenderCommandOptions, given: Given, max_bytes: u64) -> Result<Drawn, Failure> {
+    match options.svg.preset {
+        None => document::draw(options, given, max_bytes),
+        Some(Preset::Cs184) => cs184::draw(options, given, max_bytes),
+    }
 }
 
 /// The bytes of a file, or of standard input.

@@ -1,15 +1,17 @@
 //! What each subcommand does.
 
+mod compare;
 mod completions;
 mod cs184;
 mod document;
-mod drawing;
+pub(crate) mod drawing;
 mod explain;
 mod man;
 mod render;
-mod studio;
+pub(crate) mod studio;
 mod turntable;
 
+pub(crate) use compare::compare;
 pub(crate) use completions::completions;
 pub(crate) use explain::explain;
 pub(crate) use man::man;

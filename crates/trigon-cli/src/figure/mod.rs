@@ -5,4 +5,4 @@ mod picture;
 mod sketch;
 
 pub(crate) use picture::{enlarged, lay_over};
-pub(crate) use sketch::{Anchor, Sketch, line_height};
+pub(crate) use sketch::{Anchor, Sketch, line_height, text_width};

@@ -108,3 +108,8 @@ impl Sketch {
 pub(crate) fn line_height(capital_px: f64) -> f64 {
     font::line_height(capital_px)
 }
+
+/// Width of a text in pixels.
+pub(crate) fn text_width(text: &str, capital_px: f64) -> f64 {
+    font::width_px(text, capital_px)
+}

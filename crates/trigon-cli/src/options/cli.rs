@@ -1,6 +1,6 @@
 //! The command line as a whole: `trigon COMMAND ..`, and the rule that lets `render` be left out.
 
-use super::{ExplainOptions, RenderCommandOptions, TurntableOptions, texts};
+use super::{CompareOptions, ExplainOptions, RenderCommandOptions, TurntableOptions, texts};
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
@@ -33,6 +33,9 @@ pub(crate) enum Command {
     /// Draw a model turning around, as an animation or numbered pictures
     #[command(before_help = texts::TURNTABLE_EXAMPLES, after_help = texts::TURNTABLE_NOTES)]
     Turntable(Box<TurntableOptions>),
+    /// Draw every combination of some options, side by side on a sheet
+    #[command(before_help = texts::COMPARE_EXAMPLES, after_help = texts::COMPARE_NOTES)]
+    Compare(Box<CompareOptions>),
     /// Tell how one pixel of a model's picture comes about, step by step
     #[command(before_help = texts::EXPLAIN_EXAMPLES, after_help = texts::EXPLAIN_NOTES)]
     Explain(Box<ExplainOptions>),
@@ -65,6 +68,7 @@ pub(crate) fn command_line() -> clap::Command {
     with_layout(Cli::command()).mut_subcommands(|subcommand| match subcommand.get_name() {
         // An animation has many frames: a smaller default.
         "turntable" => with_layout(subcommand).mut_arg("size", |size| size.default_value("512x512")),
+        "compare" => with_layout(subcommand).mut_arg("size", |size| size.default_value("320x240")),
         "explain" => with_layout(subcommand)
             .mut_arg("output", |output| {
                 let output = output.required(false).default_value("-").hide_default_value(true);

@@ -4,6 +4,7 @@
 
 mod choices;
 mod cli;
+mod compare;
 mod displacement;
 mod effects;
 mod explain;
@@ -27,6 +28,7 @@ pub(crate) use choices::{
     WireframeChoice, WrapChoice,
 };
 pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
+pub(crate) use compare::CompareOptions;
 pub(crate) use displacement::DisplacementOptions;
 pub(crate) use effects::EffectOptions;
 pub(crate) use explain::ExplainOptions;

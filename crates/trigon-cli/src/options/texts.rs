@@ -13,6 +13,7 @@ Examples:
   trigon render model.obj -o picture.png --size hd1080 --samples 16
   trigon render drawing.svg -o picture.png --width 1200
   trigon turntable model.obj -o spin.gif
+  trigon compare model.obj --vary samples=1,4,16 -o sheet.png
   trigon explain model.obj --pixel 512,384";
 
 pub(super) const RENDER_EXAMPLES: &str = "\
@@ -29,6 +30,29 @@ Examples:
   trigon turntable model.obj -o spin.gif
   trigon turntable model.obj -o spin.png --frames 120 --fps 30     (APNG)
   trigon turntable model.obj -o frame-{frame:3}.png --size hd720";
+
+pub(super) const COMPARE_EXAMPLES: &str = "\
+Examples:
+  trigon compare model.obj --vary samples=1,4,9,16 -o sheet.png
+  trigon compare model.obj -o sheet.png --inset 150,90,24 \\
+      --vary samples=1,16 --vary level-filter=zero,nearest,linear
+  trigon compare drawing.svg --vary samples=1,4,16 -o sheet.png --json
+  trigon compare model.obj --vary \"eye=0,1,5;3,1,4\" -o views.png";
+
+pub(super) const COMPARE_NOTES: &str = "\
+All other options are those of trigon render and hold for every picture. With
+several --vary the last one goes along the rows. Where samples are varied and
+the standard pattern lacks a number, all pictures use the grid.
+
+Below each picture stand the time of a frame (the shortest of several, without
+reading and writing files) and the RMSE against a reference of the same view:
+for models drawn at twice the size with 16 samples a pixel on a grid, each
+shaded, with anisotropic textures, averaged over 2x2 pixels in linear light:
+64 samples a pixel; for SVG the same, averaged as SVG blends, encoded. --json
+reports these numbers.
+
+Exit codes: 0 done, 1 a file could not be read, drawn or written, 2 the
+command line is wrong. A failure leaves no output behind.";
 
 pub(super) const EXPLAIN_EXAMPLES: &str = "\
 Examples:

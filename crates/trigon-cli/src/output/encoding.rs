@@ -43,6 +43,12 @@ impl Encoding {
         Ok(Self { format, options: encode_options(options, is_float), is_float })
     }
 
+    /// For a picture that is not written: linear floats, or bytes.
+    pub(crate) fn in_memory(is_float: bool) -> Self {
+        let format = if is_float { Format::Exr } else { Format::Png };
+        Self { format, options: EncodeOptions::default(), is_float }
+    }
+
     /// Whether the file holds linear floats or 16-bit numbers made of them.
     pub(crate) fn is_float(&self) -> bool {
         self.is_float

@@ -3,8 +3,10 @@
 //! Each type reads itself by `FromStr`; the message of a failure becomes part of the usage error of its option.
 
 mod angle;
+mod axis;
 mod count;
 mod direction;
+mod inset;
 mod light;
 mod limit;
 mod number;
@@ -16,8 +18,10 @@ mod suggest;
 mod vector;
 
 pub(crate) use angle::Angle;
+pub(crate) use axis::Axis;
 pub(crate) use count::Count;
 pub(crate) use direction::UpDirection;
+pub(crate) use inset::Inset;
 pub(crate) use light::LightValue;
 pub(crate) use limit::{Limit, LimitName};
 pub(crate) use number::{NonNegative, Positive, Real};

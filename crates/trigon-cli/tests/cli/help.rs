@@ -15,6 +15,8 @@ fn help_fits_80_columns_and_begins_with_examples() {
         "render -h",
         "turntable --help",
         "turntable -h",
+        "compare --help",
+        "compare -h",
         "explain --help",
         "explain -h",
         "completions --help",

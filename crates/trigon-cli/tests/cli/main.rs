@@ -1,6 +1,7 @@
 //! Black-box tests of the command: it is run as a person or a script runs it, and judged by its files, its output, its
 //! messages and its exit code.
 
+mod compare;
 mod effects;
 mod explain;
 mod failures;

@@ -1,0 +1,52 @@
+//! One picture of a sheet: options in; pixels and the time of a frame out.
+
+use super::variant::Variant;
+use crate::command::drawing;
+use crate::command::studio::Studio;
+use crate::failure::Failure;
+use crate::load;
+use crate::output::{Destination, Encoding, Images};
+use crate::view;
+use std::time::Duration;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Subject {
+    Model,
+    /// An SVG file.
+    Drawing,
+}
+
+/// A picture and what it cost.
+pub(crate) struct Cell {
+    pub(crate) images: Images,
+    /// The shortest time of several frames: geometry, tiles and resolve, or for SVG the drawing of the file that was
+    /// read.
+    pub(crate) time: Duration,
+}
+
+/// SVG files are drawn so often.
+const DRAWINGS: usize = 3;
+
+/// Draws one combination; `is_float` makes linear floats instead of bytes, where the subject has them.
+pub(crate) fn draw(subject: Subject, variant: &Variant, is_float: bool) -> Result<Cell, Failure> {
+    let options = &variant.options.render;
+    if subject == Subject::Drawing {
+        return draw_svg(variant, load::max_file_bytes(&options.input));
+    }
+    let output = Destination::new(&options.output.output);
+    let mut studio = Studio::open(options, &output, &Encoding::in_memory(is_float))?;
+    let camera = view::camera(&options.view, &studio.scene, studio.up, studio.aspect())?;
+    let (images, time) = studio.draw_timed(&camera)?;
+    Ok(Cell { images, time })
+}
+
+fn draw_svg(variant: &Variant, max_bytes: u64) -> Result<Cell, Failure> {
+    let mut best: Option<Cell> = None;
+    for _ in 0..DRAWINGS {
+        let drawn = drawing::make(&variant.options, variant.given, max_bytes)?;
+        let time = best.as_ref().map_or(drawn.draw, |best| best.time.min(drawn.draw));
+        best = Some(Cell { images: Images { bytes: Some(drawn.image), floats: None }, time });
+    }
+    best.ok_or_else(|| Failure::work("the picture was not drawn"))
+}
