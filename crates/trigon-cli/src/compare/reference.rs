@@ -1,6 +1,6 @@
 //! What pictures are measured against: the same view with 64 samples a pixel.
 //!
-//! Models are drawn at twice the width and height (lines and points twice as wide) with 16 samples a pixel on a grid,
+//! Models are drawn at twice the width and height (lines, points and outlines twice as wide) with 16 samples a pixel on a grid,
 //! shaded at every sample, with trilinear anisotropic textures (16 points); then the mean of each 2 x 2 pixels is taken in
 //! linear light and encoded. So each pixel is the mean of 64 shaded samples in an 8 x 8 grid. SVG files are drawn at twice
 //! the size with 16 samples on a grid; their mean is taken of encoded, premultiplied colours, as SVG blends.
@@ -8,9 +8,11 @@
 use super::cell::{Subject, draw};
 use super::variant::Variant;
 use crate::failure::Failure;
+use crate::values::Positive;
 use std::ffi::OsString;
 use trigon::target::MAX_SIZE;
 use trigon_image::{Rgba8Image, RgbaF32Image, compare};
+use trigon_scene::render::Outline;
 
 /// References by the values of what changes the view.
 #[derive(Default)]
@@ -86,6 +88,10 @@ fn make(
     large.options.render.output.quiet = true;
     (large.options.render.picture.size.width, large.options.render.picture.size.height) = (2 * width, 2 * height);
     large.given.size = true;
+    let effects = &mut large.options.render.effects;
+    if let Some(outline) = effects.outline() {
+        effects.outline_width = Some(Positive(f64::from((2.0 * outline.width_px).min(Outline::MAX_WIDTH))));
+    }
     if subject == Subject::Drawing && large.options.svg.preset.is_none() {
         (large.options.svg.width, large.options.svg.height) = (Some(2 * width), None);
     }

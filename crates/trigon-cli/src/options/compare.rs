@@ -29,9 +29,10 @@ pub(crate) struct CompareOptions {
 }
 
 /// Headings of options that change the picture or its time.
-const VARIED_HEADINGS: [&str; 7] = ["Picture", "View", "Surface and light", "Textures", "Input", "SVG", "Machine"];
+const VARIED_HEADINGS: [&str; 8] =
+    ["Picture", "View", "Surface and light", "Effects", "Textures", "Input", "SVG", "Machine"];
 /// Options that would change the size of a cell, or that say how to read.
-const FIXED: [&str; 6] = ["size", "width", "height", "input-format", "limit", "language"];
+const FIXED: [&str; 7] = ["size", "width", "height", "input-format", "limit", "time-limit", "language"];
 
 impl CompareOptions {
     /// The names of all options that can be varied.
