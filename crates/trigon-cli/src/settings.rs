@@ -47,9 +47,11 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
 /// Light grey behind surfaces as they look, black behind colours that stand for numbers.
 fn default_background(shader: ShaderKind) -> [f32; 4] {
     match shader {
-        ShaderKind::BlinnPhong | ShaderKind::Flat | ShaderKind::Toon | ShaderKind::Unlit => {
-            RenderSettings::DEFAULT_BACKGROUND
-        }
+        ShaderKind::BlinnPhong
+        | ShaderKind::Flat
+        | ShaderKind::Toon
+        | ShaderKind::Unlit
+        | ShaderKind::Tinyrenderer(_) => RenderSettings::DEFAULT_BACKGROUND,
         _ => [0.0, 0.0, 0.0, 1.0],
     }
 }

@@ -8,7 +8,7 @@ use super::material::{Coverage, Surface};
 use super::scene_renderer::MeshFacts;
 use super::settings::{RenderSettings, Wireframe};
 use super::shader_kind::ShaderKind;
-use super::shaders::{BlinnPhong, Full, MeshView, Overlay, Plain, Shape, Stroke};
+use super::shaders::{BlinnPhong, Full, MeshView, Overlay, Plain, Shape, Stroke, Tinyrenderer};
 use super::sorting::{SortedPrimitives, back_to_front};
 use crate::math::Mat4;
 use crate::scene::{Instance, Mesh, Submesh};
@@ -189,6 +189,9 @@ impl Piece<'_> {
         is_point: bool,
     ) -> Box<dyn ErasedShader + 'f> {
         let mesh = self.view(&frame.clip_from_world);
+        if let (ShaderKind::Tinyrenderer(lesson), false) = (settings.shader, is_point) {
+            return Box::new(Tinyrenderer::new(frame, mesh, &self.surface, lesson));
+        }
         let is_flat = settings.shader == ShaderKind::Flat;
         let is_lit = !is_point || self.facts.has_point_normals;
         macro_rules! shader {

@@ -12,6 +12,8 @@ pub(super) struct FrameUniforms {
     pub(super) clip_from_world: Mat4,
     /// The eye and 1, or the unit vector towards an infinitely distant eye and 0.
     pub(super) eye: [f32; 4],
+    /// The unit vector from what is looked at to the eye.
+    pub(super) against_view: [f32; 3],
     pub(super) lighting: Lighting,
     /// What the colours show.
     pub(super) shader: ShaderKind,
@@ -32,7 +34,7 @@ impl FrameUniforms {
     pub(super) fn new(scene: &Scene, camera: &Camera, settings: &RenderSettings) -> Self {
         let size = [settings.width, settings.height];
         let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
-        let clip_from_world = camera.clip_from_world(aspect);
+        let clip_from_world = shifted(camera.clip_from_world(aspect), settings);
         let forward = camera.forward();
         let rows = f64::from(size[1].max(1));
         let [x, y, z] = vec3::narrow(camera.eye);
@@ -51,6 +53,7 @@ impl FrameUniforms {
         Self {
             clip_from_world,
             eye,
+            against_view: vec3::narrow(vec3::scale(forward, -1.0)),
             lighting: Lighting::new(&scene.lights, camera),
             shader: settings.shader,
             toon_levels: settings.toon_levels.clamp(1, RenderSettings::MAX_TOON_LEVELS),
@@ -68,6 +71,20 @@ impl FrameUniforms {
         let has_shadow = |source: &Source| source.shadow.is_some();
         self.shader == ShaderKind::Toon || self.occlusion.is_some() || self.lighting.sources.iter().any(has_shadow)
     }
+}
+
+/// The same with the picture moved by `shift_px`: a pixel is 2 / width wide in NDC, and clip space is w times that.
+fn shifted(mut clip: Mat4, settings: &RenderSettings) -> Mat4 {
+    let [x, y] = settings.shift_px;
+    if [x, y] != [0.0; 2] {
+        #[expect(clippy::cast_precision_loss, reason = "sizes are at most 16 384")]
+        let [width, height] = [settings.width.max(1) as f32, settings.height.max(1) as f32];
+        for column in &mut clip.columns {
+            column[0] += column[3] * (2.0 * x / width);
+            column[1] += column[3] * (2.0 * y / height);
+        }
+    }
+    clip
 }
 
 /// Maps world positions to 0 at the nearest and 1 at the farthest visible vertex.

@@ -147,6 +147,9 @@ impl Needs {
 
     /// The textures that `material` needs.
     pub(super) fn requests<'m>(&self, material: &'m Material) -> Vec<Request<'m>> {
+        if let ShaderKind::Tinyrenderer(_) = self.shader {
+            return stored_values(material);
+        }
         let maps = &material.maps;
         let illumination = self.illumination(material);
         let is_lit = illumination != Illumination::Color;
@@ -179,6 +182,22 @@ impl Needs {
         }
         requests
     }
+}
+
+/// For shaders that count in bytes: maps as they are stored, without a transfer function. Gloss is one channel: the blue
+/// one, the first in the files of the course.
+fn stored_values(material: &Material) -> Vec<Request<'_>> {
+    let maps = &material.maps;
+    let requests = [
+        (Slot::Diffuse, &maps.diffuse, Usage::Vector),
+        (Slot::Normal, &maps.normal, Usage::Vector),
+        (Slot::Specular, &maps.specular, Usage::Scalar(ScalarSource::Blue)),
+        (Slot::Emissive, &maps.emissive, Usage::Vector),
+    ];
+    requests
+        .into_iter()
+        .filter_map(|(slot, map, usage)| map.as_ref().map(|map| Request { slot, map, usage, is_inverted: false }))
+        .collect()
 }
 
 /// A bump map with a channel of its own is heights for sure; one without is a normal map now and then, because some

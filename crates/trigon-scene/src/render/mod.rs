@@ -3,6 +3,7 @@
 //! [`SceneRenderer`] keeps what is made from a scene once (textures with their mip chains, edges for wireframes);
 //! each frame then only prepares lights, materials and draws. Meshes are drawn from where they are, without a copy.
 
+pub mod course;
 mod draws;
 mod edges;
 mod effects;

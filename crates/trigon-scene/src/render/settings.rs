@@ -15,6 +15,9 @@ pub struct RenderSettings {
     pub height: u32,
     /// Where coverage and depth are tested; 4 standard positions by default.
     pub samples: SamplePattern,
+    /// How far the picture is moved, in pixels right and up. Half a pixel each way puts the sample in the middle of a pixel
+    /// where its lower left corner was, for programs that sample at whole coordinates.
+    pub shift_px: [f32; 2],
     /// How often pixels are shaded.
     pub shading: ShadingRate,
     /// Which images are made. `primitive` holds indices into the mesh's triangles (segments, points), `object` numbers
@@ -55,6 +58,7 @@ impl RenderSettings {
             width,
             height,
             samples: SamplePattern::standard(4).unwrap_or(SamplePattern::CENTER),
+            shift_px: [0.0; 2],
             shading: ShadingRate::Pixel,
             outputs: Outputs::COLOR,
             shader: ShaderKind::default(),

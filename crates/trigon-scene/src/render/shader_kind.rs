@@ -1,5 +1,6 @@
 //! The ways a scene can be drawn, by name: as it looks, or as the stages of the pipeline see it.
 
+use super::course::tinyrenderer::Lesson;
 use std::fmt;
 use std::str::FromStr;
 
@@ -36,6 +37,8 @@ pub enum ShaderKind {
     Ids,
     /// A colour of its own for each object.
     Objects,
+    /// A lesson of tinyrenderer; see [`tinyrenderer`](super::course::tinyrenderer).
+    Tinyrenderer(Lesson),
 }
 
 /// A name that no shader has.
@@ -44,7 +47,7 @@ pub struct UnknownShader(pub String);
 
 impl ShaderKind {
     /// All kinds, the default first.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 20] = [
         Self::BlinnPhong,
         Self::Flat,
         Self::Toon,
@@ -59,6 +62,12 @@ impl ShaderKind {
         Self::Coverage,
         Self::Ids,
         Self::Objects,
+        Self::Tinyrenderer(Lesson::Final),
+        Self::Tinyrenderer(Lesson::Flat),
+        Self::Tinyrenderer(Lesson::Phong),
+        Self::Tinyrenderer(Lesson::ObjectNormals),
+        Self::Tinyrenderer(Lesson::TangentNormals),
+        Self::Tinyrenderer(Lesson::Glow),
     ];
 
     /// The name that [`FromStr`] reads.
@@ -79,6 +88,7 @@ impl ShaderKind {
             Self::Coverage => "coverage",
             Self::Ids => "ids",
             Self::Objects => "objects",
+            Self::Tinyrenderer(lesson) => lesson.name(),
         }
     }
 
@@ -100,17 +110,18 @@ impl ShaderKind {
             Self::Coverage => "share of covered samples",
             Self::Ids => "a colour for each primitive",
             Self::Objects => "a colour for each object",
+            Self::Tinyrenderer(lesson) => lesson.description(),
         }
     }
 
     /// Whether it draws materials under the lights.
     pub(super) fn is_lit(self) -> bool {
-        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon)
+        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon | Self::Tinyrenderer(_))
     }
 
     /// Whether it draws materials with their colours.
     pub(super) fn shows_materials(self) -> bool {
-        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon | Self::Unlit)
+        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon | Self::Unlit | Self::Tinyrenderer(_))
     }
 }
 

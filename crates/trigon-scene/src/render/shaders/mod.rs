@@ -2,9 +2,11 @@
 //!
 //! `vertex` fetches and places vertices, `point` gathers what is known of a fragment, `normal` finds the shading normal
 //! with its maps, `maps` reads factor maps, `lighting` sums up light, `obstacles`, `shadow` and `openness` find what does not arrive; `blinn_phong`,
-//! `toon`, `overlay`, `stroke` and `shape` are the shaders made of them.
+//! `toon`, `overlay`, `stroke` and `shape` are the shaders made of them; `course` has
+//! those of courses.
 
 mod blinn_phong;
+mod course;
 mod lighting;
 mod maps;
 mod normal;
@@ -19,6 +21,7 @@ mod toon;
 mod vertex;
 
 pub(super) use blinn_phong::BlinnPhong;
+pub(super) use course::Tinyrenderer;
 pub(super) use overlay::Overlay;
 pub(super) use shape::Shape;
 pub(super) use stroke::Stroke;

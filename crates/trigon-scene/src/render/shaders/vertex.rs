@@ -111,6 +111,12 @@ impl<'a> MeshView<'a> {
         self.clip_from_model.transform_point(l, index.gather_vec3(self.positions))
     }
 
+    /// A normal of the model in the world, of any length.
+    #[inline(always)]
+    pub(super) fn world_normal<L: Lanes>(&self, normal: Vec3<L>) -> Vec3<L> {
+        self.normal_from_model.transform_vector(normal)
+    }
+
     /// Position, normal and uv of sixteen vertices.
     #[inline(always)]
     pub(super) fn plain<L: Lanes>(&self, l: L, index: U32<L>) -> PlainVarying<L> {

@@ -1,0 +1,3 @@
+//! Scenes of courses: the camera, the light, the materials and the settings that their programs have built in.
+
+pub mod tinyrenderer;

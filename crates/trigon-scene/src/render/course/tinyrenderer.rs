@@ -1,0 +1,175 @@
+//! The scene of tinyrenderer: a camera, a light, pictures by the name of the model, and settings.
+//!
+//! In: models as loaded, without materials. Out: a scene that [`SceneRenderer`](crate::render::SceneRenderer) draws as
+//! the program does. Dmitry Sokolov, "tinyrenderer" (2025), <https://github.com/ssloy/tinyrenderer>.
+
+use crate::load::{Location, Place, Resolver, Warning, WarningKind};
+use crate::math::vec3;
+use crate::render::{AlphaMode, RenderSettings, ShaderKind};
+use crate::scene::{Camera, Light, LightKind, Material, Projection, Scene, Texture, TextureId, TextureRef};
+use trigon::geometry::Cull;
+use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
+use trigon::target::SamplePattern;
+use trigon_image::color::srgb_to_linear;
+
+/// The lessons of tinyrenderer that have shaders of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Lesson {
+    /// Colours, tangent-space normals and gloss from pictures: what the program has become.
+    Final,
+    /// Diffuse light on flat triangles.
+    Flat,
+    /// The same with ambient light and highlights.
+    Phong,
+    /// Normals from a picture, in the coordinates of the model.
+    ObjectNormals,
+    /// Normals from a picture, in the coordinates of the surface.
+    TangentNormals,
+    /// As the final one, and parts that give off light.
+    Glow,
+}
+
+impl Lesson {
+    /// All of them, the final one first.
+    pub const ALL: [Self; 6] =
+        [Self::Final, Self::Flat, Self::Phong, Self::ObjectNormals, Self::TangentNormals, Self::Glow];
+
+    /// The name of its shader.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Final => "tinyrenderer",
+            Self::Flat => "tinyrenderer-flat",
+            Self::Phong => "tinyrenderer-phong",
+            Self::ObjectNormals => "tinyrenderer-object-normals",
+            Self::TangentNormals => "tinyrenderer-tangent-normals",
+            Self::Glow => "tinyrenderer-glow",
+        }
+    }
+
+    /// What it shows, in a few words.
+    #[must_use]
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::Final => "tinyrenderer: colours, normals and gloss from pictures",
+            Self::Flat => "tinyrenderer: diffuse light on flat triangles",
+            Self::Phong => "tinyrenderer: flat triangles with highlights",
+            Self::ObjectNormals => "tinyrenderer: normals in the model's coordinates",
+            Self::TangentNormals => "tinyrenderer: normals in the surface's coordinates",
+            Self::Glow => "tinyrenderer: parts give off light",
+        }
+    }
+
+    /// Whether the diffuse map is drawn; the others show white.
+    pub(in crate::render) fn has_colors(self) -> bool {
+        matches!(self, Self::Final | Self::TangentNormals | Self::Glow)
+    }
+
+    /// The end of the name of its normal map.
+    fn normal_map(self) -> &'static str {
+        if self == Self::ObjectNormals { "_nm.tga" } else { "_nm_tangent.tga" }
+    }
+}
+
+/// Where the program's camera stands, and what it looks at.
+pub const EYE: [f64; 3] = [-1.0, 0.0, 2.0];
+
+/// The direction to its light.
+pub const TO_LIGHT: [f64; 3] = [1.0, 1.0, 1.0];
+
+/// The camera at `eye` that looks at the origin.
+///
+/// The program keeps the origin where it is and divides by 1 - z/f, f being the distance of the eye: what lies in the
+/// plane of the origin keeps its size. Its viewport leaves a margin of one sixteenth on every side. Together that is a
+/// common perspective whose focal length is 7/8 f.
+#[must_use]
+pub fn camera(eye: [f64; 3], scene: &Scene) -> Camera {
+    let fov_y = 2.0 * libm::atan(1.0 / (0.875 * vec3::length(eye)));
+    let camera = Camera {
+        eye,
+        target: [0.0; 3],
+        up: [0.0, 1.0, 0.0],
+        projection: Projection::Perspective { fov_y },
+        near: 0.1,
+        far: 100.0,
+    };
+    camera.with_depth_range_of(&scene.bounding_box())
+}
+
+/// The light, from infinitely far away.
+#[must_use]
+pub fn light() -> Light {
+    Light::new(LightKind::Directional { direction: vec3::scale(TO_LIGHT, -1.0) }, 1.0)
+}
+
+/// One sample per pixel, at its lower left corner; textures without filters, black outside; back faces dropped.
+#[must_use]
+pub fn settings(lesson: Lesson) -> RenderSettings {
+    let mut settings = RenderSettings::new(800, 800);
+    let [r, g, b] = [209, 195, 177].map(srgb_to_linear);
+    settings.background = [r, g, b, 1.0];
+    settings.shader = ShaderKind::Tinyrenderer(lesson);
+    settings.samples = SamplePattern::CENTER;
+    settings.shift_px = [0.5, 0.5];
+    settings.cull = Cull::Back;
+    settings.alpha = AlphaMode::Opaque;
+    settings.sampling.pixel = PixelFilter::Nearest;
+    settings.sampling.level = LevelFilter::Zero;
+    settings.sampling.wrap = Some(Wrap::Border([0.0; 4]));
+    settings
+}
+
+/// Gives every material of `scene` the pictures that the program finds by the model's name: for `head.obj` the files
+/// `head_diffuse.tga`, `head_nm_tangent.tga` (object-space normals: `head_nm.tga`), `head_spec.tga` and, for
+/// [`Lesson::Glow`], `head_glow.tga`. `resolver` opens them; `model` is the name of the model as it knows it.
+///
+/// Returns what was not found, cannot be read, or is above `max_bytes`. The program samples such pictures as 0; here the
+/// model is drawn without: in the material's colour, with the normals of the vertices, without gloss and glow.
+pub fn dress(scene: &mut Scene, model: &str, lesson: Lesson, resolver: &dyn Resolver, max_bytes: u64) -> Vec<Warning> {
+    let stem = model.strip_suffix(".gz").unwrap_or(model);
+    let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
+    let mut warnings = Vec::new();
+    let mut find = |end: &str, is_needed: bool| {
+        let name = format!("{stem}{end}");
+        if !is_needed {
+            return None;
+        }
+        match add(scene, &name, resolver, max_bytes) {
+            Ok(texture) => Some(texture),
+            Err(problem) => {
+                let location = Location { file: name, place: Place::File };
+                let message = format!("{problem}; drawn without it");
+                warnings.push(Warning { location, kind: WarningKind::MissingFile, message });
+                None
+            }
+        }
+    };
+    let has_gloss = lesson.has_colors();
+    let has_normals = !matches!(lesson, Lesson::Flat | Lesson::Phong);
+    let diffuse = find("_diffuse.tga", lesson.has_colors());
+    let normal = find(lesson.normal_map(), has_normals);
+    let specular = find("_spec.tga", has_gloss);
+    let emissive = find("_glow.tga", lesson == Lesson::Glow);
+    if scene.materials.is_empty() {
+        scene.materials.push(Material::default());
+    }
+    for material in &mut scene.materials {
+        let maps = &mut material.maps;
+        maps.diffuse = diffuse.clone();
+        maps.normal = normal.clone();
+        maps.specular = specular.clone();
+        maps.emissive = emissive.clone();
+    }
+    warnings
+}
+
+fn add(scene: &mut Scene, name: &str, resolver: &dyn Resolver, max_bytes: u64) -> Result<TextureRef, String> {
+    let path = resolver.find(name).ok_or("picture not found")?;
+    let bytes = resolver.read(&path, max_bytes).map_err(|error| error.to_string())?;
+    if u64::try_from(bytes.len()).unwrap_or(u64::MAX) > max_bytes {
+        return Err(format!("picture is larger than the limit of {max_bytes} bytes"));
+    }
+    let id = u32::try_from(scene.textures.len()).map_err(|error| error.to_string())?;
+    scene.textures.push(Texture::new(path, bytes));
+    Ok(TextureRef::new(TextureId(id)))
+}

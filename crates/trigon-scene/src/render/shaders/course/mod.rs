@@ -1,0 +1,5 @@
+//! The shaders of courses, written to be read beside the course: each begins with its formula and its source.
+
+mod tinyrenderer;
+
+pub(in crate::render) use tinyrenderer::Tinyrenderer;

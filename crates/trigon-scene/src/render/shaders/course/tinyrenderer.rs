@@ -1,0 +1,210 @@
+//! tinyrenderer: the Phong reflection of its last lesson, and the lessons on the way there.
+//!
+//! With n the unit normal, l the unit vector to the light and v the direction against the view, the same everywhere:
+//!
+//! ```text
+//! r      = 2 n (n . l) - l                            l mirrored at the surface
+//! colour = texel * (a + d max(0, n . l) + (s + m gloss) max(0, r . v)^35)
+//! ```
+//!
+//! in bytes as they are stored, without a transfer function, cut to 255 and rounded down. The lessons differ in the
+//! weights a, d, s, m ([`Weights`]) and in where n comes from. Dmitry Sokolov, "tinyrenderer" (2025),
+//! <https://github.com/ssloy/tinyrenderer>; Bui Tuong Phong, "Illumination for Computer Generated Pictures", 1975.
+
+use crate::render::course::tinyrenderer::Lesson;
+use crate::render::frame::FrameUniforms;
+use crate::render::lights::Source;
+use crate::render::material::{MapUse, Slot, Surface};
+use crate::render::shaders::maps::Footprint;
+use crate::render::shaders::obstacles::{Effects, Obstacles};
+use crate::render::shaders::point::SurfacePoint;
+use crate::render::shaders::vertex::{MeshView, Plain, PlainVarying};
+use trigon::lanes::{F32, Lanes, Rgba, U32, Vec2, Vec3};
+use trigon::math::srgb8_to_linear;
+use trigon::shade::{Fragment, Shader, SurfaceLanes, Vertex};
+use trigon_image::color::srgb_encode;
+
+/// Draws one material on one mesh.
+pub(in crate::render) struct Tinyrenderer<'a> {
+    frame: &'a FrameUniforms,
+    mesh: MeshView<'a>,
+    surface: &'a Surface<'a>,
+    lesson: Lesson,
+    weights: Weights,
+    /// Stored values, 0 to 1, where there is no diffuse map.
+    color: [f32; 3],
+}
+
+/// The terms of the formula.
+struct Weights {
+    ambient: f32,
+    diffuse: f32,
+    specular: f32,
+    /// Added to `specular`, times the gloss map.
+    gloss: f32,
+}
+
+impl Weights {
+    fn of(lesson: Lesson) -> Self {
+        let [ambient, diffuse, specular, gloss] = match lesson {
+            Lesson::Final | Lesson::Glow => [0.4, 1.0, 0.5, 2.0],
+            Lesson::TangentNormals => [0.4, 1.0, 0.0, 3.0],
+            Lesson::Phong | Lesson::ObjectNormals => [0.3, 0.4, 0.9, 0.0],
+            Lesson::Flat => [30.0 / 255.0, 1.0, 0.0, 0.0],
+        };
+        Self { ambient, diffuse, specular, gloss }
+    }
+}
+
+/// A colour in shadow is made darker until it is no longer than this, as a vector of bytes.
+const LONGEST_IN_SHADOW: f32 = 80.0;
+
+impl<'a> Tinyrenderer<'a> {
+    pub(in crate::render) fn new(
+        frame: &'a FrameUniforms,
+        mesh: MeshView<'a>,
+        surface: &'a Surface<'a>,
+        lesson: Lesson,
+    ) -> Self {
+        let has_color = lesson.has_colors() && surface.diffuse_map().is_none();
+        #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
+        let encode = |c: f32| srgb_encode(f64::from(c).clamp(0.0, 1.0)) as f32;
+        let color = if has_color { surface.diffuse.map(encode) } else { [1.0; 3] };
+        Self { frame, mesh, surface, lesson, weights: Weights::of(lesson), color }
+    }
+
+    /// The colour of sixteen points: linear values that are stored as the bytes of the formula.
+    #[inline(never)]
+    fn shade<L: Lanes>(&self, l: L, point: &SurfacePoint<L>, pixel: Vec2<L>) -> Rgba<L> {
+        l.vectorize(
+            #[inline(always)]
+            || self.shade_inline(l, point, pixel),
+        )
+    }
+
+    #[inline(always)]
+    fn shade_inline<L: Lanes>(&self, l: L, point: &SurfacePoint<L>, pixel: Vec2<L>) -> Rgba<L> {
+        let n = self.normal(l, point);
+        let texel = self.texel(l, Slot::Diffuse, &point.footprint, self.color);
+        let gloss = self.texel(l, Slot::Specular, &point.footprint, [0.0; 3]).x;
+        let effects = Effects::new(l, self.frame.occlusion.as_ref(), pixel, point);
+        let mut light = effects.dim(l, l.vec3([self.weights.ambient; 3])).x;
+        let mut shown = l.f32(1.0);
+        if let Some(source) = self.frame.lighting.sources.first() {
+            let to_light = to_light(l, source, point);
+            let cosine = n.dot(to_light);
+            let mirrored = n * (cosine * 2.0) - to_light;
+            let towards_viewer = mirrored.dot(l.vec3(self.frame.against_view)).max(0.0);
+            light += cosine.max(0.0) * self.weights.diffuse;
+            light += (gloss * self.weights.gloss + self.weights.specular) * power_35(towards_viewer);
+            shown = effects.pass(l, source, point, to_light, cosine, shown);
+        }
+        let mut bytes = (texel * 255.0) * light;
+        if self.lesson == Lesson::Glow {
+            bytes += self.texel(l, Slot::Emissive, &point.footprint, [0.0; 3]) * 255.0;
+        }
+        let bytes = Vec3 { x: bytes.x.min(255.0), y: bytes.y.min(255.0), z: bytes.z.min(255.0) };
+        let length = bytes.length().max(LONGEST_IN_SHADOW);
+        let bytes = (bytes * (LONGEST_IN_SHADOW / length)).mix(bytes, shown);
+        Vec3 { x: stored(bytes.x), y: stored(bytes.y), z: stored(bytes.z) }.rgba(1.0)
+    }
+
+    /// The unit normal in world space.
+    #[inline(always)]
+    fn normal<L: Lanes>(&self, l: L, point: &SurfacePoint<L>) -> Vec3<L> {
+        let face = point.dx.cross(point.dy);
+        let face = unit(face.dot(point.to_eye).lt(0.0).select(-face, face));
+        if matches!(self.lesson, Lesson::Flat | Lesson::Phong) {
+            return face;
+        }
+        let length_squared = point.normal.dot(point.normal);
+        let smooth = length_squared.gt(f32::MIN_POSITIVE).select(unit(point.normal), face);
+        let Some(map) = &self.surface.normal else { return smooth };
+        let m = map.sample(l, &point.footprint).rgb() * 2.0 - l.vec3([1.0; 3]);
+        if self.lesson == Lesson::ObjectNormals {
+            return unit(self.mesh.world_normal(m));
+        }
+        let [tangent, bitangent] = tangents(point);
+        unit((tangent * m.x + bitangent * m.y) + smooth * m.z)
+    }
+
+    /// What the map of `slot` holds, as stored, 0 to 1; `or` where there is none.
+    #[inline(always)]
+    fn texel<L: Lanes>(&self, l: L, slot: Slot, footprint: &Footprint<L>, or: [f32; 3]) -> Vec3<L> {
+        match map_of(&self.surface.maps, slot) {
+            Some(map) => map.sample(l, footprint).rgb(),
+            None => l.vec3(or),
+        }
+    }
+}
+
+fn map_of<'m, 'a>(maps: &'m [MapUse<'a>], slot: Slot) -> Option<&'m MapUse<'a>> {
+    maps.iter().find(|map| map.slot == slot)
+}
+
+/// The unit vectors along which u and v grow on the surface.
+///
+/// Position is an affine function of (u, v) on a triangle, so its changes per pixel are `p_x = T u_x + B v_x` and
+/// `p_y = T u_y + B v_y`: two equations for T and B. The course solves the same ones for two edges of the triangle.
+#[inline(always)]
+fn tangents<L: Lanes>(point: &SurfacePoint<L>) -> [Vec3<L>; 2] {
+    let (uv_x, uv_y) = (point.footprint.dx, point.footprint.dy);
+    let determinant = uv_x.x * uv_y.y - uv_y.x * uv_x.y;
+    // Its size is lost when both are made unit vectors; its sign is not.
+    let is_mirrored = determinant.lt(0.0);
+    let tangent = point.dx * uv_y.y - point.dy * uv_x.y;
+    let bitangent = point.dy * uv_x.x - point.dx * uv_y.x;
+    [unit(is_mirrored.select(-tangent, tangent)), unit(is_mirrored.select(-bitangent, bitangent))]
+}
+
+/// The unit vector to the light.
+#[inline(always)]
+fn to_light<L: Lanes>(l: L, source: &Source, point: &SurfacePoint<L>) -> Vec3<L> {
+    let place = l.vec3(source.place);
+    if source.is_directional { place } else { unit(place - point.position) }
+}
+
+/// A unit vector, or zero where there is no direction.
+#[inline(always)]
+fn unit<L: Lanes>(v: Vec3<L>) -> Vec3<L> {
+    // Scaled first: derivatives per pixel are small, and their squares would vanish.
+    let largest = v.x.abs().max(v.y.abs()).max(v.z.abs()).max(f32::MIN_POSITIVE);
+    let v = v * (1.0 / largest);
+    v * (1.0 / v.dot(v).max(f32::MIN_POSITIVE).sqrt())
+}
+
+/// x^35 by squaring: 35 = 32 + 2 + 1.
+#[inline(always)]
+fn power_35<L: Lanes>(x: F32<L>) -> F32<L> {
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let x8 = x4 * x4;
+    let x16 = x8 * x8;
+    (x16 * x16) * (x2 * x)
+}
+
+/// The linear value that is stored as the whole part of `byte`.
+#[inline(always)]
+fn stored<L: Lanes>(byte: F32<L>) -> F32<L> {
+    srgb8_to_linear(byte.floor().to_i32_within(0.0, 255.0).as_u32())
+}
+
+impl Shader for Tinyrenderer<'_> {
+    type Varying<L: Lanes> = PlainVarying<L>;
+
+    #[inline(always)]
+    fn vertex<L: Lanes>(&self, l: L, index: U32<L>) -> Vertex<L, PlainVarying<L>> {
+        self.mesh.vertex::<L, Plain>(l, index)
+    }
+
+    #[inline(always)]
+    fn fragment<L: Lanes>(&self, l: L, f: &Fragment<L, PlainVarying<L>>) -> Rgba<L> {
+        self.shade(l, &SurfacePoint::new(l, self.frame, f), f.pixel)
+    }
+
+    #[inline(always)]
+    fn surface<L: Lanes>(&self, l: L, f: &Fragment<L, PlainVarying<L>>) -> SurfaceLanes<L> {
+        let point = SurfacePoint::new(l, self.frame, f);
+        SurfaceLanes { position: point.position, normal: self.normal(l, &point), uv: f.uv }
+    }
+}

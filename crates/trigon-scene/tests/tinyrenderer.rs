@@ -1,0 +1,146 @@
+//! The scene of tinyrenderer: its formulas on a square, and its models against pictures that the program made, where
+//! the shared data is there.
+//! `cargo test -p trigon-scene --test tinyrenderer -- --nocapture` prints how well each agrees.
+
+#![expect(clippy::print_stdout, reason = "the table of agreement")]
+
+use std::path::{Path, PathBuf};
+
+use trigon::pipeline::{Picture, Renderer, RendererOptions};
+use trigon_image::{Limits, Rgba8Image, decode};
+use trigon_scene::load::{DirectoryResolver, LoadOptions, MemoryResolver, load_bytes, load_path};
+use trigon_scene::render::SceneRenderer;
+use trigon_scene::render::course::tinyrenderer::{self, EYE, Lesson};
+use trigon_scene::scene::Scene;
+
+/// The part of the pixels that must be within 3/255.
+const AGREEMENT: f64 = 0.99;
+
+/// The shared data beside the workspace, where it exists.
+fn shared_data() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let exists = folder.is_dir();
+    if !exists {
+        println!("SKIPPED: {} does not exist", folder.display());
+    }
+    exists.then_some(folder)
+}
+
+/// The models, each with its pictures.
+fn scene(folder: &Path, models: &[&str], lesson: Lesson) -> Scene {
+    let mut scene = Scene::default();
+    for model in models {
+        let path = folder.join(model);
+        let mut loaded = load_path(&path, &LoadOptions::default()).unwrap();
+        assert_eq!(loaded.warnings, []);
+        let beside = DirectoryResolver::new(path.parent().unwrap());
+        let name = path.file_name().unwrap().to_string_lossy();
+        let missing = tinyrenderer::dress(&mut loaded.scene, &name, lesson, &beside, 1 << 28);
+        assert_eq!(missing, []);
+        scene.merge(loaded.scene);
+    }
+    scene.lights.push(tinyrenderer::light());
+    scene
+}
+
+fn draw(scene: &Scene, lesson: Lesson) -> Rgba8Image {
+    let mut renderer = Renderer::new(RendererOptions::from_env().unwrap()).unwrap();
+    let mut picture = Picture::default();
+    let camera = tinyrenderer::camera(EYE, scene);
+    let settings = tinyrenderer::settings(lesson);
+    let (_, warnings) = SceneRenderer::new().render(&mut renderer, scene, &camera, &settings, &mut picture).unwrap();
+    assert_eq!(warnings, []);
+    Rgba8Image::from_pixels(800, 800, picture.color.unwrap().into_values()).unwrap()
+}
+
+#[test]
+fn pictures_of_the_program() {
+    let Some(data) = shared_data() else { return };
+    let (models, pictures) = (data.join("tinyrenderer/obj"), data.join("reference/tinyrenderer"));
+    let (diablo, head) = ("diablo3_pose/diablo3_pose.obj", "african_head/african_head.obj");
+    let scenes: [(&str, &[&str]); 5] = [
+        ("diablo3_floor", &[diablo, "floor.obj"]),
+        ("diablo3", &[diablo]),
+        ("african_head_eyes", &[head, "african_head/african_head_eye_inner.obj"]),
+        ("african_head", &[head]),
+        ("floor", &["floor.obj"]),
+    ];
+    let mut failures = Vec::new();
+    for (name, parts) in scenes {
+        let drawn = draw(&scene(&models, parts, Lesson::Final), Lesson::Final);
+        let bytes = std::fs::read(pictures.join(name).with_extension("png")).unwrap();
+        let expected = decode(&bytes, None, &Limits::default()).unwrap().into_rgba8();
+        let comparison = trigon_image::compare(&drawn, &expected).unwrap();
+        let agreement = 1.0 - comparison.pixels_over(3) as f64 / comparison.pixels() as f64;
+        println!("{name:<20} {:.4} % within 3/255, rmse {:.3}", agreement * 100.0, comparison.rmse);
+        if agreement < AGREEMENT {
+            failures.push(name);
+        }
+    }
+    assert_eq!(failures, Vec::<&str>::new());
+}
+
+/// A square that faces +z; its texture coordinates and normals are those of a poster.
+const SQUARE: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n\
+                      f 1/1/1 2/2/1 3/3/1 4/4/1\n";
+
+/// A picture of one colour: 2 x 2 pixels in a TGA file.
+fn tga([r, g, b]: [u8; 3]) -> Vec<u8> {
+    let mut bytes = vec![0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 24, 0];
+    (0..4).for_each(|_| bytes.extend([b, g, r]));
+    bytes
+}
+
+/// The formula of the program in doubles: the byte for a texel, the normal, and the weights of its terms.
+fn byte(texel: f64, n: [f64; 3], [ambient, diffuse, specular]: [f64; 3]) -> f64 {
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let unit = |v: [f64; 3]| v.map(|c| c / dot(v, v).sqrt());
+    let (n, l) = (unit(n), unit(tinyrenderer::TO_LIGHT));
+    let r = [0, 1, 2].map(|i| 2.0 * n[i] * dot(n, l) - l[i]);
+    let shine = (0..35).fold(1.0, |power, _| power * dot(r, unit(EYE)).max(0.0));
+    (texel * (ambient + diffuse * dot(n, l).max(0.0) + specular * shine)).min(255.0).floor()
+}
+
+#[test]
+fn every_lesson_follows_its_formula() {
+    // A normal between the light and the eye, so that the highlight counts: x 0.1, y 0.35 and z 0.93, about.
+    let tilted = [140, 172, 246];
+    let normal = tilted.map(|code| f64::from(code) / 127.5 - 1.0);
+    let files = MemoryResolver::new()
+        .with("poster_diffuse.tga", tga([200, 100, 50]))
+        .with("poster_nm_tangent.tga", tga(tilted))
+        .with("poster_nm.tga", tga(tilted))
+        .with("poster_spec.tga", tga([0, 0, 51]))
+        .with("poster_glow.tga", tga([10, 20, 40]));
+    // v of the picture runs down, so green of the tangent-space map points down.
+    let [x, y, z] = normal;
+    let (flat, down) = ([0.0, 0.0, 1.0], [x, -y, z]);
+    let colors = [200.0, 100.0, 50.0];
+    let glow = [10.0, 20.0, 40.0];
+    for (lesson, want) in [
+        (Lesson::Final, colors.map(|c| byte(c, down, [0.4, 1.0, 0.5 + 2.0 * 0.2]))),
+        (Lesson::TangentNormals, colors.map(|c| byte(c, down, [0.4, 1.0, 3.0 * 0.2]))),
+        (Lesson::ObjectNormals, [byte(255.0, normal, [0.3, 0.4, 0.9]); 3]),
+        (Lesson::Phong, [byte(255.0, flat, [0.3, 0.4, 0.9]); 3]),
+        (Lesson::Flat, [byte(255.0, flat, [30.0 / 255.0, 1.0, 0.0]); 3]),
+        (Lesson::Glow, [0, 1, 2].map(|i| byte(colors[i], down, [0.4, 1.0, 0.9]) + glow[i])),
+    ] {
+        let mut scene = load_bytes("poster.obj", SQUARE.as_bytes(), &LoadOptions::default()).unwrap().scene;
+        assert_eq!(tinyrenderer::dress(&mut scene, "poster.obj", lesson, &files, 1 << 10), []);
+        scene.lights.push(tinyrenderer::light());
+        let got = draw(&scene, lesson).pixel(400, 400);
+        for (got, want) in got.into_iter().zip(want) {
+            assert!((f64::from(got) - want).abs() <= 1.0, "{}: {got} is not {want}", lesson.name());
+        }
+    }
+}
+
+#[test]
+fn pictures_that_are_not_there_are_named_and_done_without() {
+    let mut scene = load_bytes("poster.obj", SQUARE.as_bytes(), &LoadOptions::default()).unwrap().scene;
+    let warnings = tinyrenderer::dress(&mut scene, "poster.obj", Lesson::Final, &MemoryResolver::new(), 1 << 10);
+    let names: Vec<&str> = warnings.iter().map(|warning| warning.location.file.as_str()).collect();
+    assert_eq!(names, ["poster_diffuse.tga", "poster_nm_tangent.tga", "poster_spec.tga"]);
+    scene.lights.push(tinyrenderer::light());
+    assert_ne!(draw(&scene, Lesson::Final).pixel(400, 400), draw(&Scene::default(), Lesson::Final).pixel(400, 400));
+}
