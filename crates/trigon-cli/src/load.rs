@@ -4,7 +4,7 @@
 //! line mean what they mean in the file.
 
 use crate::failure::Failure;
-use crate::options::{InputFormat, InputOptions, RenderOptions, ViewOptions};
+use crate::options::{InputFormat, InputOptions, Preset, RenderOptions, ViewOptions};
 use crate::pictures::SvgTextures;
 use crate::stdin;
 use crate::values::{LimitName, UpDirection};
@@ -16,6 +16,9 @@ use trigon_scene::load::{
     DirectoryResolver, Format, Limits, LoadOptions, Loaded, UpAxis, Warning, load_bytes, load_path,
 };
 use trigon_scene::math::Mat4;
+use trigon_scene::render::ShaderKind;
+use trigon_scene::render::course::learning_tinyrenderer;
+use trigon_scene::render::course::tinyrenderer::{self, Lesson};
 use trigon_scene::scene::{Scene, Texture, TextureId, TextureRef};
 
 /// Models ready to be looked at.
@@ -40,7 +43,8 @@ impl Models {
         files.extend(options.texture.clone());
         files.extend(options.height_map.clone());
         for path in paths {
-            let loaded = load_one(path, &load_options)?;
+            let mut loaded = load_one(path, &load_options)?;
+            dress(&mut loaded, path, render, &load_options);
             let folder = path.parent().unwrap_or(Path::new(""));
             files.extend(loaded.scene.textures.iter().map(|texture| folder.join(&texture.name)));
             up.get_or_insert(usual_up(loaded.format));
@@ -68,6 +72,26 @@ impl Models {
             self.scene.transform(step);
         }
     }
+}
+
+/// Gives a model the pictures that the program of the preset finds by its name.
+fn dress(loaded: &mut Loaded, path: &Path, render: &RenderOptions, options: &LoadOptions) {
+    let beside = DirectoryResolver::new(path.parent().unwrap_or(Path::new("")));
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let (scene, max_bytes) = (&mut loaded.scene, options.limits.texture_bytes);
+    let warnings = match (render.preset.preset, render.shading.shader) {
+        (Some(Preset::Tinyrenderer), ShaderKind::Tinyrenderer(lesson)) => {
+            tinyrenderer::dress(scene, &name, lesson, &beside, max_bytes)
+        }
+        (Some(Preset::Tinyrenderer), _) => tinyrenderer::dress(scene, &name, Lesson::Final, &beside, max_bytes),
+        (Some(Preset::LearningTinyrenderer), _) => learning_tinyrenderer::dress(scene, &name, &beside, max_bytes),
+        (Some(Preset::Cs184) | None, _) => return,
+    };
+    for texture in &mut scene.textures {
+        texture.max_pixels = options.limits.texture_pixels;
+        texture.decoder.clone_from(&options.picture_decoder);
+    }
+    loaded.warnings.extend(warnings);
 }
 
 fn load_one(path: &Path, options: &LoadOptions) -> Result<Loaded, Failure> {

@@ -2,13 +2,14 @@
 
 use crate::failure::Failure;
 use crate::options::{
-    CullChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice, RateChoice, RenderOptions, WireframeChoice,
-    WrapChoice,
+    CullChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice, Preset, RateChoice, RenderOptions,
+    WireframeChoice, WrapChoice,
 };
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
 use trigon::target::{SamplePattern, ShadingRate};
+use trigon_scene::render::course::tinyrenderer;
 use trigon_scene::render::{RenderSettings, ShaderKind, TextureSampling, Wireframe};
 
 /// The settings that the options ask for.
@@ -40,6 +41,9 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
         outline: options.effects.outline(),
         ..RenderSettings::new(picture.size.width, picture.size.height)
     };
+    if options.preset.preset == Some(Preset::Tinyrenderer) {
+        settings.shift_px = tinyrenderer::SHIFT_PX;
+    }
     settings.wireframe = shading.wireframe.map(|mode| wireframe(mode, &settings));
     Ok(settings)
 }

@@ -6,7 +6,7 @@ use super::{cs184, document};
 use crate::failure::Failure;
 use crate::hash::PictureHash;
 use crate::json::Json;
-use crate::options::{Given, Preset, RenderCommandOptions};
+use crate::options::{Given, RenderCommandOptions};
 use crate::output::{Destination, Encoding, Images};
 use crate::report::{ReportTarget, write_report};
 use crate::stdin;
@@ -94,9 +94,9 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
 
 /// Reads and draws the file.
 pub(crate) fn make(options: &RenderCommandOptions, given: Given, max_bytes: u64) -> Result<Drawn, Failure> {
-    match options.svg.preset {
+    match options.render.preset.preset {
         None => document::draw(options, given, max_bytes),
-        Some(Preset::Cs184) => cs184::draw(options, given, max_bytes),
+        Some(_) => cs184::draw(options, given, max_bytes),
     }
 }
 

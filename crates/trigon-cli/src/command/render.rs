@@ -4,14 +4,19 @@ use super::drawing;
 use super::studio::Studio;
 use crate::failure::Failure;
 use crate::load;
-use crate::options::{Given, Preset, RenderCommandOptions, Written};
+use crate::options::{Given, RenderCommandOptions, Written};
 use crate::output::{Destination, Encoding};
 use crate::view;
 use std::time::Instant;
 
 pub(crate) fn render(options: &RenderCommandOptions, given: Given, written: &Written) -> Result<(), Failure> {
     let max_bytes = load::max_file_bytes(&options.render.input);
+    let preset = options.render.preset.preset;
     if drawing::is_drawing(&options.render.models, max_bytes) {
+        if let Some(preset) = preset.filter(|preset| !preset.is_for_drawings()) {
+            let input = format!("{} is an SVG picture", options.render.models[0].display());
+            return Err(misplaced(preset.written(), "models", &input));
+        }
         if let Some(option) = &written.for_models {
             return Err(misplaced(
                 option,
@@ -21,8 +26,8 @@ pub(crate) fn render(options: &RenderCommandOptions, given: Given, written: &Wri
         }
         return drawing::draw(options, given, max_bytes);
     }
-    if options.svg.preset == Some(Preset::Cs184) {
-        return Err(misplaced("--preset cs184", "SVG pictures", "this is a model"));
+    if let Some(preset) = preset.filter(|preset| preset.is_for_drawings()) {
+        return Err(misplaced(preset.written(), "SVG pictures", "this is a model"));
     }
     if let Some(option) = &written.for_drawings {
         let is_size = option == "--width" || option == "--height";
@@ -43,6 +48,6 @@ pub(crate) fn render(options: &RenderCommandOptions, given: Given, written: &Wri
 }
 
 /// An option that says nothing about this kind of input.
-fn misplaced(option: &str, kind: &str, input: &str) -> Failure {
+pub(super) fn misplaced(option: &str, kind: &str, input: &str) -> Failure {
     Failure::usage(format!("{option} concerns {kind}, and {input}; leave it out"))
 }

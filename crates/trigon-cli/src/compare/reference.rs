@@ -92,7 +92,7 @@ fn make(
     if let Some(outline) = effects.outline() {
         effects.outline_width = Some(Positive(f64::from((2.0 * outline.width_px).min(Outline::MAX_WIDTH))));
     }
-    if subject == Subject::Drawing && large.options.svg.preset.is_none() {
+    if subject == Subject::Drawing && large.options.render.preset.preset.is_none() {
         (large.options.svg.width, large.options.svg.height) = (Some(2 * width), None);
     }
     let images = draw(subject, &large, true)?.images;

@@ -1,8 +1,8 @@
 //! Options of `trigon render`.
 
 use super::{
-    DisplacementOptions, EffectOptions, InputOptions, MachineOptions, OutputOptions, PictureOptions, ShadingOptions,
-    SvgInputOptions, TextureOptions, ViewOptions,
+    DisplacementOptions, EffectOptions, InputOptions, MachineOptions, OutputOptions, PictureOptions, PresetOptions,
+    ShadingOptions, SvgInputOptions, TextureOptions, ViewOptions,
 };
 use clap::Args;
 use std::path::PathBuf;
@@ -18,6 +18,8 @@ pub(crate) struct RenderOptions {
     pub(crate) output: OutputOptions,
     #[command(flatten)]
     pub(crate) picture: PictureOptions,
+    #[command(flatten)]
+    pub(crate) preset: PresetOptions,
     #[command(flatten)]
     pub(crate) view: ViewOptions,
     #[command(flatten)]

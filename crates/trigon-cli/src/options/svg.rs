@@ -40,10 +40,6 @@ pub(crate) struct SvgOptions {
     #[arg(long, value_name = "AREA", allow_hyphen_values = true)]
     pub(crate) export_area: Option<PageArea>,
 
-    /// Draw as another program does
-    #[arg(long, value_enum, value_name = "PROGRAM")]
-    pub(crate) preset: Option<Preset>,
-
     /// CX,CY,SPAN: what --preset cs184 shows
     ///
     /// The square round (CX, CY), in the file's units, that reaches SPAN to each side fills the shorter side of the
@@ -54,13 +50,6 @@ pub(crate) struct SvgOptions {
     /// Which texel --preset cs184 takes as the nearest
     #[arg(long, value_enum, value_name = "RULE", default_value = "holding")]
     pub(crate) nearest_texel: NearestTexel,
-}
-
-/// Another program whose pictures are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Preset {
-    /// The rasterizer of Berkeley's CS184, project 1: its elements, lines of one pixel, 1, 4, 9 or 16 samples
-    Cs184,
 }
 
 /// Which texel of a row of n is nearest to u.

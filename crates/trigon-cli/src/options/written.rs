@@ -9,13 +9,13 @@ use clap::parser::ValueSource;
 const HEADINGS_FOR_BOTH: [&str; 3] = ["Output", "Picture", "Machine"];
 
 /// Further options that concern both.
-const OPTIONS_FOR_BOTH: [&str; 5] = ["zoom", "strict", "limits", "pixel_filter", "level_filter"];
+const OPTIONS_FOR_BOTH: [&str; 6] = ["preset", "zoom", "strict", "limits", "pixel_filter", "level_filter"];
 
 /// Options under the headings above that concern models alone.
 const OPTIONS_FOR_MODELS: [&str; 1] = ["shading"];
 
 /// Options under the heading of SVG that concern pictures alone: models have textures and layers that are SVG.
-const OPTIONS_FOR_DRAWINGS: [&str; 5] = ["width", "height", "export_id", "export_area", "nearest_texel"];
+const OPTIONS_FOR_DRAWINGS: [&str; 6] = ["width", "height", "export_id", "export_area", "view", "nearest_texel"];
 
 /// What was written that concerns only one kind of input, as `--name`.
 #[derive(Clone, Debug, Default)]

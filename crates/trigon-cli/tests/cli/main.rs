@@ -9,6 +9,7 @@ mod formats;
 mod help;
 mod layers;
 mod pipes;
+mod presets;
 mod report;
 mod support;
 mod svg;

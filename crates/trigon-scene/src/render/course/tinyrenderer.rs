@@ -6,7 +6,7 @@
 use crate::load::{Location, Place, Resolver, Warning, WarningKind};
 use crate::math::vec3;
 use crate::render::{AlphaMode, RenderSettings, ShaderKind};
-use crate::scene::{Camera, Light, LightKind, Material, Projection, Scene, Texture, TextureId, TextureRef};
+use crate::scene::{Camera, Light, LightKind, Maps, Material, Projection, Scene, Texture, TextureId, TextureRef};
 use trigon::geometry::Cull;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
 use trigon::target::SamplePattern;
@@ -74,6 +74,9 @@ impl Lesson {
 /// Where the program's camera stands, and what it looks at.
 pub const EYE: [f64; 3] = [-1.0, 0.0, 2.0];
 
+/// It samples at whole coordinates, the lower left corners of pixels.
+pub const SHIFT_PX: [f32; 2] = [0.5; 2];
+
 /// The direction to its light.
 pub const TO_LIGHT: [f64; 3] = [1.0, 1.0, 1.0];
 
@@ -110,7 +113,7 @@ pub fn settings(lesson: Lesson) -> RenderSettings {
     settings.background = [r, g, b, 1.0];
     settings.shader = ShaderKind::Tinyrenderer(lesson);
     settings.samples = SamplePattern::CENTER;
-    settings.shift_px = [0.5, 0.5];
+    settings.shift_px = SHIFT_PX;
     settings.cull = Cull::Back;
     settings.alpha = AlphaMode::Opaque;
     settings.sampling.pixel = PixelFilter::Nearest;
@@ -123,12 +126,17 @@ pub fn settings(lesson: Lesson) -> RenderSettings {
 /// `head_diffuse.tga`, `head_nm_tangent.tga` (object-space normals: `head_nm.tga`), `head_spec.tga` and, for
 /// [`Lesson::Glow`], `head_glow.tga`. `resolver` opens them; `model` is the name of the model as it knows it.
 ///
-/// Returns what was not found, cannot be read, or is above `max_bytes`. The program samples such pictures as 0; here the
+/// Maps that materials have already stay. Returns what was not found, cannot be read, or is above `max_bytes`. The program samples such pictures as 0; here the
 /// model is drawn without: in the material's colour, with the normals of the vertices, without gloss and glow.
 pub fn dress(scene: &mut Scene, model: &str, lesson: Lesson, resolver: &dyn Resolver, max_bytes: u64) -> Vec<Warning> {
     let stem = model.strip_suffix(".gz").unwrap_or(model);
     let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
     let mut warnings = Vec::new();
+    let has = |pick: fn(&Maps) -> &Option<TextureRef>| {
+        !scene.materials.is_empty() && scene.materials.iter().all(|material| pick(&material.maps).is_some())
+    };
+    let [has_diffuse, has_normal] = [has(|maps| &maps.diffuse), has(|maps| &maps.normal)];
+    let [has_specular, has_emissive] = [has(|maps| &maps.specular), has(|maps| &maps.emissive)];
     let mut find = |end: &str, is_needed: bool| {
         let name = format!("{stem}{end}");
         if !is_needed {
@@ -144,21 +152,20 @@ pub fn dress(scene: &mut Scene, model: &str, lesson: Lesson, resolver: &dyn Reso
             }
         }
     };
-    let has_gloss = lesson.has_colors();
-    let has_normals = !matches!(lesson, Lesson::Flat | Lesson::Phong);
-    let diffuse = find("_diffuse.tga", lesson.has_colors());
-    let normal = find(lesson.normal_map(), has_normals);
-    let specular = find("_spec.tga", has_gloss);
-    let emissive = find("_glow.tga", lesson == Lesson::Glow);
+    let is_bent = !matches!(lesson, Lesson::Flat | Lesson::Phong);
+    let diffuse = find("_diffuse.tga", lesson.has_colors() && !has_diffuse);
+    let normal = find(lesson.normal_map(), is_bent && !has_normal);
+    let specular = find("_spec.tga", lesson.has_colors() && !has_specular);
+    let emissive = find("_glow.tga", lesson == Lesson::Glow && !has_emissive);
     if scene.materials.is_empty() {
         scene.materials.push(Material::default());
     }
     for material in &mut scene.materials {
         let maps = &mut material.maps;
-        maps.diffuse = diffuse.clone();
-        maps.normal = normal.clone();
-        maps.specular = specular.clone();
-        maps.emissive = emissive.clone();
+        maps.diffuse = maps.diffuse.take().or_else(|| diffuse.clone());
+        maps.normal = maps.normal.take().or_else(|| normal.clone());
+        maps.specular = maps.specular.take().or_else(|| specular.clone());
+        maps.emissive = maps.emissive.take().or_else(|| emissive.clone());
     }
     warnings
 }
