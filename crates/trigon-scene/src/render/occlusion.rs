@@ -11,8 +11,8 @@
 //! along surfaces only.
 
 use super::effects::AmbientOcclusion;
-use super::shapes::{NOWHERE, Shapes, each_band, narrow};
-use trigon::lanes::{F32, Kernel, LANES, Lanes, U32, Vec2};
+use super::shapes::{EachPixel, NOWHERE, PerPixel, Shapes, each_band, narrow};
+use trigon::lanes::{F32, Lanes, U32, Vec2};
 use trigon::pipeline::RendererOptions;
 
 /// How open the surfaces of a picture are.
@@ -63,20 +63,23 @@ impl Field<'_> {
         let strength = if settings.strength > 0.0 { settings.strength } else { 0.0 };
         let mut noisy = vec![1.0; self.distances.len()];
         each_band(options, self.shapes.width, &mut noisy, |y, rows| {
-            options.simd.run(Estimate { field: self, spiral: &spiral, turns: &turns, strength, y, rows });
+            let of = Estimate { field: self, spiral: &spiral, turns: &turns, strength };
+            options.simd.run(EachPixel { of, width: self.shapes.width, y, rows });
         });
         let mut halfway = vec![1.0; noisy.len()];
         each_band(options, self.shapes.width, &mut halfway, |y, rows| {
-            options.simd.run(Blur { field: self, values: &noisy, step: [1, 0], y, rows });
+            let of = Blur { field: self, values: &noisy, step: [1, 0] };
+            options.simd.run(EachPixel { of, width: self.shapes.width, y, rows });
         });
         each_band(options, self.shapes.width, &mut noisy, |y, rows| {
-            options.simd.run(Blur { field: self, values: &halfway, step: [0, 1], y, rows });
+            let of = Blur { field: self, values: &halfway, step: [0, 1] };
+            options.simd.run(EachPixel { of, width: self.shapes.width, y, rows });
         });
         noisy
     }
 }
 
-/// The estimate for a band of rows.
+/// The estimate: how open the surfaces at sixteen pixels are.
 struct Estimate<'a> {
     field: &'a Field<'a>,
     /// Within the unit circle.
@@ -84,68 +87,41 @@ struct Estimate<'a> {
     /// Unit vectors in all directions.
     turns: &'a [[f32; 2]],
     strength: f32,
-    /// The first row.
-    y: usize,
-    rows: &'a mut [f32],
 }
 
-impl Kernel for Estimate<'_> {
-    type Output = ();
-
+impl PerPixel for Estimate<'_> {
     #[inline(always)]
-    fn run<L: Lanes>(self, l: L) {
-        let width = self.field.shapes.width as usize;
-        for (row, values) in self.rows.chunks_mut(width).enumerate() {
-            let y = l.f32((self.y + row) as f32);
-            for (group, out) in values.chunks_mut(LANES).enumerate() {
-                let x = l.lane_numbers() + (group * LANES) as f32;
-                out.copy_from_slice(
-                    &open_part(l, self.field, self.spiral, self.turns, self.strength, x, y).to_array()[..out.len()],
-                );
-            }
+    fn at<L: Lanes>(&self, l: L, x: F32<L>, y: F32<L>) -> F32<L> {
+        let Self { field, spiral, turns, strength } = *self;
+        /// Rises below this part of the radius are noise of the surface itself; distances get this much added.
+        const SMALLEST_RISE: f32 = 0.02;
+        const SOFTENING: f32 = 0.02;
+        let shapes = field.shapes;
+        let here = shapes.index(l, x, y);
+        let (position, normal) = (here.gather_vec3(&shapes.positions), here.gather_vec3(&shapes.normals));
+        let pixel = here.gather_f32(field.distances) * shapes.pixel[1] + shapes.pixel[0];
+        let radius = (field.radius / pixel).min(shapes.height as f32 * WIDEST);
+        let turn = scattered(l, x, y).gather_vec2(turns);
+        let mut sum = l.f32(0.0);
+        for [u, v] in spiral {
+            let at = Vec2 {
+                x: (x + 0.5) + (turn.x * *u - turn.y * *v) * radius,
+                y: (y + 0.5) + (turn.y * *u + turn.x * *v) * radius,
+            };
+            let away = (shapes.index(l, at.x, at.y).gather_vec3(&shapes.positions) - position) * (1.0 / field.radius);
+            let (squared, rise) = (away.dot(away), away.dot(normal));
+            let near = 1.0 - squared;
+            let hidden = (near * near * near) * ((rise - SMALLEST_RISE).max(0.0) / (squared + SOFTENING));
+            let counts = squared.lt(1.0)
+                & at.x.ge(0.0)
+                & at.y.ge(0.0)
+                & at.x.lt(shapes.width as f32)
+                & at.y.lt(shapes.height as f32);
+            sum += counts.select(hidden, l.f32(0.0));
         }
+        let open = 1.0 - sum * (5.0 * strength / spiral.len() as f32);
+        position.x.eq(NOWHERE).select(l.f32(1.0), open.saturate())
     }
-}
-
-/// How open the surfaces at sixteen pixels are.
-#[inline(always)]
-fn open_part<L: Lanes>(
-    l: L,
-    field: &Field<'_>,
-    spiral: &[[f32; 2]],
-    turns: &[[f32; 2]],
-    strength: f32,
-    x: F32<L>,
-    y: F32<L>,
-) -> F32<L> {
-    /// Rises below this part of the radius are noise of the surface itself; distances get this much added.
-    const SMALLEST_RISE: f32 = 0.02;
-    const SOFTENING: f32 = 0.02;
-    let shapes = field.shapes;
-    let here = shapes.index(l, x, y);
-    let (position, normal) = (here.gather_vec3(&shapes.positions), here.gather_vec3(&shapes.normals));
-    let pixel = here.gather_f32(field.distances) * shapes.pixel[1] + shapes.pixel[0];
-    let radius = (field.radius / pixel).min(shapes.height as f32 * WIDEST);
-    let turn = scattered(l, x, y).gather_vec2(turns);
-    let mut sum = l.f32(0.0);
-    for [u, v] in spiral {
-        let at = Vec2 {
-            x: (x + 0.5) + (turn.x * *u - turn.y * *v) * radius,
-            y: (y + 0.5) + (turn.y * *u + turn.x * *v) * radius,
-        };
-        let away = (shapes.index(l, at.x, at.y).gather_vec3(&shapes.positions) - position) * (1.0 / field.radius);
-        let (squared, rise) = (away.dot(away), away.dot(normal));
-        let near = 1.0 - squared;
-        let hidden = (near * near * near) * ((rise - SMALLEST_RISE).max(0.0) / (squared + SOFTENING));
-        let counts = squared.lt(1.0)
-            & at.x.ge(0.0)
-            & at.y.ge(0.0)
-            & at.x.lt(shapes.width as f32)
-            & at.y.lt(shapes.height as f32);
-        sum += counts.select(hidden, l.f32(0.0));
-    }
-    let open = 1.0 - sum * (5.0 * strength / spiral.len() as f32);
-    position.x.eq(NOWHERE).select(l.f32(1.0), open.saturate())
 }
 
 /// 0 to 63, each once in any square of 8 x 8 pixels and far from its neighbours' numbers (Bayer, "An Optimum Method for
@@ -162,54 +138,38 @@ fn scattered<L: Lanes>(l: L, x: F32<L>, y: F32<L>) -> U32<L> {
     number
 }
 
-/// One direction of the blur, for a band of rows.
+/// One direction of the blur: the mean of sixteen pixels' neighbours along `step`, as far as they lie on the same surface.
 struct Blur<'a> {
     field: &'a Field<'a>,
     values: &'a [f32],
     /// To the next pixel.
     step: [u8; 2],
-    y: usize,
-    rows: &'a mut [f32],
 }
 
-impl Kernel for Blur<'_> {
-    type Output = ();
-
+impl PerPixel for Blur<'_> {
     #[inline(always)]
-    fn run<L: Lanes>(self, l: L) {
-        let width = self.field.shapes.width as usize;
-        for (row, values) in self.rows.chunks_mut(width).enumerate() {
-            let y = l.f32((self.y + row) as f32);
-            for (group, out) in values.chunks_mut(LANES).enumerate() {
-                let x = l.lane_numbers() + (group * LANES) as f32;
-                out.copy_from_slice(&blurred(l, self.field, self.values, self.step, x, y).to_array()[..out.len()]);
-            }
+    fn at<L: Lanes>(&self, l: L, x: F32<L>, y: F32<L>) -> F32<L> {
+        let Self { field, values, step } = *self;
+        /// A normal distribution over -4 to 4 pixels.
+        const WEIGHTS: [f32; 9] = [0.1353, 0.3247, 0.6065, 0.8825, 1.0, 0.8825, 0.6065, 0.3247, 0.1353];
+        /// Points this part of the radius off the plane are on another surface.
+        const OFF_PLANE: f32 = 0.1;
+        let shapes = field.shapes;
+        let here = shapes.index(l, x, y);
+        let (position, normal) = (here.gather_vec3(&shapes.positions), here.gather_vec3(&shapes.normals));
+        let (mut sum, mut total) = (l.f32(0.0), l.f32(0.0));
+        for (tap, weight) in WEIGHTS.iter().enumerate() {
+            let offset = tap as f32 - 4.0;
+            let there = shapes.index(l, x + offset * f32::from(step[0]), y + offset * f32::from(step[1]));
+            let off_plane = normal.dot(there.gather_vec3(&shapes.positions) - position).abs();
+            let alike = normal.dot(there.gather_vec3(&shapes.normals)).max(0.0);
+            let weight = (1.0 - off_plane * (1.0 / (OFF_PLANE * field.radius))).max(0.0) * (alike * *weight);
+            sum += weight * there.gather_f32(values);
+            total += weight;
         }
+        // Without a surface there is no normal, and no weight.
+        total.gt(0.0).select(sum / total, l.f32(1.0))
     }
-}
-
-/// The mean of sixteen pixels' neighbours along `step`, as far as they lie on the same surface.
-#[inline(always)]
-fn blurred<L: Lanes>(l: L, field: &Field<'_>, values: &[f32], step: [u8; 2], x: F32<L>, y: F32<L>) -> F32<L> {
-    /// A normal distribution over -4 to 4 pixels.
-    const WEIGHTS: [f32; 9] = [0.1353, 0.3247, 0.6065, 0.8825, 1.0, 0.8825, 0.6065, 0.3247, 0.1353];
-    /// Points this part of the radius off the plane are on another surface.
-    const OFF_PLANE: f32 = 0.1;
-    let shapes = field.shapes;
-    let here = shapes.index(l, x, y);
-    let (position, normal) = (here.gather_vec3(&shapes.positions), here.gather_vec3(&shapes.normals));
-    let (mut sum, mut total) = (l.f32(0.0), l.f32(0.0));
-    for (tap, weight) in WEIGHTS.iter().enumerate() {
-        let offset = tap as f32 - 4.0;
-        let there = shapes.index(l, x + offset * f32::from(step[0]), y + offset * f32::from(step[1]));
-        let off_plane = normal.dot(there.gather_vec3(&shapes.positions) - position).abs();
-        let alike = normal.dot(there.gather_vec3(&shapes.normals)).max(0.0);
-        let weight = (1.0 - off_plane * (1.0 / (OFF_PLANE * field.radius))).max(0.0) * (alike * *weight);
-        sum += weight * there.gather_f32(values);
-        total += weight;
-    }
-    // Without a surface there is no normal, and no weight.
-    total.gt(0.0).select(sum / total, l.f32(1.0))
 }
 
 /// Points of a spiral of seven turns, the inner ones closer together: near surfaces hide most.
@@ -232,7 +192,7 @@ fn direction(turn: f64) -> [f32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use trigon::lanes::SimdLevel;
+    use trigon::lanes::{Kernel, SimdLevel};
 
     /// The numbers of sixteen pixels of each of eight rows.
     struct Numbers;

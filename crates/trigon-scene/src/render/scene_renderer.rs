@@ -156,6 +156,7 @@ impl SceneRenderer {
         work: impl FnOnce(&mut Renderer, &Made<'_, '_>) -> Result<T, RenderError>,
     ) -> Result<(T, FrameStatistics), RenderError> {
         let mut uniforms = FrameUniforms::new(scene, camera, settings);
+        // Taken out, because the draws borrow the rest of the renderer while maps are drawn.
         let mut shadows = std::mem::take(&mut self.shadows);
         let pieces = self.pieces(scene, settings);
         let mut passes = FrameStatistics::default();

@@ -10,7 +10,7 @@ use super::frame::FrameUniforms;
 use super::shaders::Shape;
 use crate::math::vec3;
 use crate::scene::{Camera, Projection};
-use trigon::lanes::{F32, Lanes, U32};
+use trigon::lanes::{F32, Kernel, LANES, Lanes, U32};
 use trigon::pipeline::{Draw, Frame, FrameStatistics, Outputs, Picture, Renderer, RendererOptions};
 use trigon::schedule::share;
 
@@ -99,6 +99,37 @@ pub(super) fn each_band<T: Send>(
     let mut workers = vec![(); options.threads.max(1)];
     let bands = values.chunks_mut(width as usize * BAND).enumerate();
     share(&mut workers, bands, |(), (band, rows)| work(band * BAND, rows));
+}
+
+/// A number for each pixel of an image, sixteen at a time.
+pub(super) trait PerPixel {
+    /// The numbers of the pixels in columns `x` and rows `y`.
+    fn at<L: Lanes>(&self, l: L, x: F32<L>, y: F32<L>) -> F32<L>;
+}
+
+/// Fills some rows of an image.
+pub(super) struct EachPixel<'a, F> {
+    pub(super) of: F,
+    /// Pixels in a row.
+    pub(super) width: u32,
+    /// The first row.
+    pub(super) y: usize,
+    pub(super) rows: &'a mut [f32],
+}
+
+impl<F: PerPixel> Kernel for EachPixel<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) {
+        for (row, values) in self.rows.chunks_mut(self.width as usize).enumerate() {
+            let y = l.f32((self.y + row) as f32);
+            for (group, out) in values.chunks_mut(LANES).enumerate() {
+                let x = l.lane_numbers() + (group * LANES) as f32;
+                out.copy_from_slice(&self.of.at(l, x, y).to_array()[..out.len()]);
+            }
+        }
+    }
 }
 
 /// Distance along the view as a function of position.
