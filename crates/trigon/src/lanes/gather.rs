@@ -73,8 +73,8 @@ macro_rules! gather {
             let l = self.token();
             let index = self.to_array();
             #[cfg(all(feature = "avx512", target_arch = "x86_64"))]
-            if let (fearless_simd::Level::Avx512(avx512), Ok(len)) = (l.level(), i32::try_from(slice.len())) {
-                return l.$constructor(&instruction::$instruction(avx512, slice, len, &index));
+            if let (fearless_simd::Level::Avx512(avx512), true) = (l.level(), slice.len() <= instruction::MAX_LEN) {
+                return l.$constructor(&instruction::$instruction(avx512, slice, &index));
             }
             l.$constructor(&fetch_all(slice, &index))
         }
@@ -118,8 +118,8 @@ impl<L: Lanes> U32<L> {
     }
 }
 
-/// The gather instructions of AVX-512. Their indices are signed and are not checked: lanes whose index is not below
-/// `len` are switched off.
+/// The gather instructions of AVX-512. Their indices are signed and are not checked: lanes whose index is not below the
+/// slice's length are switched off.
 #[cfg(all(feature = "avx512", target_arch = "x86_64"))]
 #[expect(unsafe_code, reason = "an instruction that reads memory by address")]
 mod instruction {
@@ -130,18 +130,16 @@ mod instruction {
     };
     use fearless_simd::{SimdBase, SimdFrom, f32x16, i32x16, kernel, u32x16};
 
+    /// Longer slices have elements that no index of the instruction names.
+    pub(super) const MAX_LEN: usize = i32::MAX as usize;
+
     macro_rules! gather {
         ($scalar:ident, $vector:ident, $zero:ident, $instruction:ident) => {
             kernel!(
-                /// One element of `slice` per index, or zero; `len` is the slice's.
+                /// One element of `slice` per index, or zero. Elements beyond [`MAX_LEN`] read as zero, too.
                 #[inline]
-                pub(super) fn $scalar(
-                    l: Avx512,
-                    slice: &[$scalar],
-                    len: i32,
-                    index: &[u32; LANES],
-                ) -> [$scalar; LANES] {
-                    let len = len.min(i32::try_from(slice.len()).unwrap_or(i32::MAX));
+                pub(super) fn $scalar(l: Avx512, slice: &[$scalar], index: &[u32; LANES]) -> [$scalar; LANES] {
+                    let len = i32::try_from(slice.len()).unwrap_or(i32::MAX);
                     let index = u32x16::load_array_ref(l, index).into();
                     let inside = _mm512_cmplt_epu32_mask(index, _mm512_set1_epi32(len));
                     // SAFETY: a lane reads only if its index is in 0..len, and `slice` has at least `len` elements

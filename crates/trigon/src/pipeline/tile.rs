@@ -340,7 +340,7 @@ fn clear_block(pixels: &mut TilePixels, b: usize, color: [u8; 4], linear: [f32; 
     }
 }
 
-/// Writes a block's pixels to the tile's colour pixels.
+/// Writes the colours of a block to the tile's pixels.
 #[inline(always)]
 fn store_block<L: Lanes>(l: L, colors: &ColorBlock, pixels: &mut TilePixels, b: usize) {
     let (x, y) = (b % BLOCKS_PER_SIDE * BLOCK_SIZE, b / BLOCKS_PER_SIDE * BLOCK_SIZE);
