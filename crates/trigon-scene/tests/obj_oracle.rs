@@ -1,9 +1,11 @@
 //! The OBJ reader against the `tobj` crate: on well-formed files both must give the same triangles.
 
-#![expect(clippy::print_stdout, reason = "skips are printed")]
+#[path = "../../../tests/shared_data.rs"]
+mod shared_data;
 
+use shared_data::shared_data;
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use trigon_scene::load::{LoadOptions, load_bytes, load_path};
 use trigon_scene::scene::{MaterialId, Mesh};
 
@@ -17,15 +19,6 @@ const TOLERANCE: f32 = 1e-5;
 fn agree(a: &Corner, b: &Corner) -> bool {
     let near = |i: usize| (a[i] - b[i]).abs() <= TOLERANCE;
     a[..3].iter().zip(&b[..3]).all(|(a, b)| a.to_bits() == b.to_bits()) && (3..8).all(near)
-}
-
-fn shared_data() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let exists = folder.is_dir();
-    if !exists {
-        println!("SKIPPED: {} does not exist", folder.display());
-    }
-    exists.then_some(folder)
 }
 
 /// The triangles of each material, in order; corners that tobj gives no normal have none here either.

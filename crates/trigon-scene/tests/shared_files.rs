@@ -1,22 +1,14 @@
 //! Every model file of the shared test data loads or fails with a clear error: no panic, hang or memory blow-up.
 //! `cargo test -p trigon-scene --test shared_files -- --nocapture` prints the table of outcomes.
 
-#![expect(clippy::print_stdout, reason = "the table of outcomes")]
+#[path = "../../../tests/shared_data.rs"]
+mod shared_data;
 
+use shared_data::shared_data;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use trigon_scene::load::{LoadOptions, load_path};
 use trigon_scene::scene::{Framing, Scene};
-
-/// The shared data beside the workspace, where it exists.
-fn shared_data() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let exists = folder.is_dir();
-    if !exists {
-        println!("SKIPPED: {} does not exist", folder.display());
-    }
-    exists.then_some(folder)
-}
 
 fn model_files(folder: &Path, found: &mut Vec<PathBuf>) {
     let mut entries: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();

@@ -2,9 +2,11 @@
 //! the shared data is there.
 //! `cargo test -p trigon-scene --test tinyrenderer -- --nocapture` prints how well each agrees.
 
-#![expect(clippy::print_stdout, reason = "the table of agreement")]
+#[path = "../../../tests/shared_data.rs"]
+mod shared_data;
 
-use std::path::{Path, PathBuf};
+use shared_data::shared_data;
+use std::path::Path;
 
 use trigon::pipeline::{Picture, Renderer, RendererOptions};
 use trigon_image::{Limits, Rgba8Image, decode};
@@ -15,16 +17,6 @@ use trigon_scene::scene::Scene;
 
 /// The part of the pixels that must be within 3/255.
 const AGREEMENT: f64 = 0.99;
-
-/// The shared data beside the workspace, where it exists.
-fn shared_data() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let exists = folder.is_dir();
-    if !exists {
-        println!("SKIPPED: {} does not exist", folder.display());
-    }
-    exists.then_some(folder)
-}
 
 /// The models, each with its pictures.
 fn scene(folder: &Path, models: &[&str], lesson: Lesson) -> Scene {

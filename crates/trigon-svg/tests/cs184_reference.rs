@@ -3,6 +3,10 @@
 
 #![expect(clippy::print_stdout, reason = "the table of agreement")]
 
+#[path = "../../../tests/shared_data.rs"]
+mod shared_data;
+
+use shared_data::shared_data;
 use std::path::{Path, PathBuf};
 
 use trigon_image::{Limits, Rgba8Image, decode};
@@ -10,16 +14,6 @@ use trigon_svg::cs184::{LevelSampling, NearestRule, Options, PixelSampling, draw
 
 /// The part of the pixels that must be within 2/255.
 const AGREEMENT: f64 = 0.995;
-
-/// The shared data beside the workspace, where it exists.
-fn shared_data() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let exists = folder.is_dir();
-    if !exists {
-        println!("SKIPPED: {} does not exist", folder.display());
-    }
-    exists.then_some(folder)
-}
 
 fn check(svg: &Path, reference: &Path, options: &Options) -> bool {
     let bytes = std::fs::read(svg).unwrap_or_else(|error| panic!("{}: {error}", svg.display()));

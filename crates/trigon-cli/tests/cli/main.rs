@@ -11,6 +11,8 @@ mod layers;
 mod pipes;
 mod presets;
 mod report;
+#[path = "../../../../tests/shared_data.rs"]
+mod shared_data;
 mod support;
 mod svg;
 mod turntable;

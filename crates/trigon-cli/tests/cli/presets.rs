@@ -1,7 +1,7 @@
 //! `--preset` for models: other defaults, which give way to what is written.
 
+use crate::shared_data::shared_data;
 use crate::support::{Folder, read_picture};
-use std::path::Path;
 
 /// A square that faces +z, with texture coordinates and normals.
 const SQUARE: &str = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n\
@@ -94,11 +94,7 @@ fn presets_are_about_models_or_about_pictures() {
 
 #[test]
 fn tinyrenderer_agrees_with_a_picture_of_the_program() {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    if !data.is_dir() {
-        println!("SKIPPED: {} does not exist", data.display());
-        return;
-    }
+    let Some(data) = shared_data() else { return };
     let models = data.join("tinyrenderer/obj");
     let (diablo, floor) = (models.join("diablo3_pose/diablo3_pose.obj"), models.join("floor.obj"));
     let drawn = Folder::new().picture(&format!("{} {} --preset tinyrenderer", diablo.display(), floor.display()));
