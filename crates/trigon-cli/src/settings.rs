@@ -2,13 +2,14 @@
 
 use crate::failure::Failure;
 use crate::options::{
-    CullChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice, Preset, RateChoice, RenderOptions,
-    WireframeChoice, WrapChoice,
+    ColorSpaceChoice, CullChoice, InterpolationChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice, Preset,
+    RateChoice, RenderOptions, WireframeChoice, WrapChoice,
 };
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
+use trigon::shade::Interpolation;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
-use trigon::target::{SamplePattern, ShadingRate};
+use trigon::target::{ColorSpace, SamplePattern, ShadingRate};
 use trigon_scene::render::course::tinyrenderer;
 use trigon_scene::render::{RenderSettings, ShaderKind, TextureSampling, Wireframe};
 
@@ -20,6 +21,14 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
         shading: match picture.shading {
             RateChoice::Pixel => ShadingRate::Pixel,
             RateChoice::Sample => ShadingRate::Sample,
+        },
+        interpolation: match shading.interpolation {
+            InterpolationChoice::Perspective => Interpolation::Perspective,
+            InterpolationChoice::Affine => Interpolation::Affine,
+        },
+        color_space: match shading.color_space {
+            ColorSpaceChoice::Linear => ColorSpace::Linear,
+            ColorSpaceChoice::Encoded => ColorSpace::Encoded,
         },
         outputs,
         shader: shading.shader,

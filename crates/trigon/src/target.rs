@@ -139,6 +139,16 @@ pub enum ShadingRate {
     Sample,
 }
 
+/// What the numbers of colours stand for while they are blended and averaged, and how they become bytes.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub enum ColorSpace {
+    /// Linear light, encoded once per stored pixel: half of white and half of black make code 188.
+    #[default]
+    Linear,
+    /// The stored values themselves, 0 to 1, as programs without a transfer function have it: they make code 128.
+    Encoded,
+}
+
 /// One value per pixel, row 0 at the top; with `planes` > 1, one picture per sample, one after the other.
 #[derive(Clone, Debug)]
 pub struct Plane<T> {

@@ -6,7 +6,8 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 use trigon::pipeline::{Picture, Renderer, RendererOptions};
-use trigon::target::ShadingRate;
+use trigon::shade::Interpolation;
+use trigon::target::{ColorSpace, ShadingRate};
 use trigon_scene::load::{LoadOptions, MemoryResolver, load_bytes};
 use trigon_scene::render::{AmbientOcclusion, Outline, RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe};
 use trigon_scene::scene::{
@@ -78,6 +79,9 @@ pub(super) fn frames() -> Vec<NamedFrame> {
     let mut wireframe = small;
     wireframe.wireframe = Some(Wireframe::default());
 
+    let encoded = RenderSettings { color_space: ColorSpace::Encoded, ..small };
+    let affine = RenderSettings { interpolation: Interpolation::Affine, ..small };
+
     let mut shadows = small;
     // Large enough for several threads.
     shadows.shadows = Some(Shadows { map_size: 256, ..Shadows::default() });
@@ -103,6 +107,8 @@ pub(super) fn frames() -> Vec<NamedFrame> {
         frame("shaded-by-sample", &Rc::new(load(TEAPOT)), &by_sample),
         frame("anisotropic", &Rc::new(load(CUBE)), &anisotropic),
         frame("wireframe", &Rc::new(load(CUBE)), &wireframe),
+        frame("encoded-colours", &Rc::new(load(STROKES)), &encoded),
+        frame("affine-interpolation", &Rc::new(load(CUBE)), &affine),
         frame("ply-strokes", &Rc::new(load(STROKES)), &small),
         frame("stl-facets", &Rc::new(load(TETRAHEDRON)), &small),
     ];

@@ -1,5 +1,6 @@
 //! Materials, maps and lights.
 
+use trigon::target::ColorSpace;
 use trigon_scene::render::ShaderKind;
 use trigon_scene::scene::{Light, LightKind};
 use trigon_tests::golden::{Shot, sphere, square};
@@ -119,4 +120,13 @@ fn sheets_are_two_sided() {
 #[test]
 fn still_life() {
     Shot::asset("still-life.obj").size(144, 96).check("shading/still-life");
+}
+
+/// Light that adds up, edges and a translucent sphere in stored values.
+#[test]
+fn encoded_colors() {
+    let material = "Kd 0.6 0.3 0.2\nKs 0.5 0.5 0.5\nNs 30\n";
+    spheres(&format!("newmtl a\n{material}newmtl b\nd 0.5\n{material}newmtl c\nmap_Kd textures/zellige.png\n"))
+        .with(|settings| settings.color_space = ColorSpace::Encoded)
+        .check("shading/encoded-colours");
 }

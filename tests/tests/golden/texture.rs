@@ -1,5 +1,6 @@
 //! Orientation, filters, wrapping and options of textures.
 
+use trigon::shade::Interpolation;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
 use trigon_scene::render::TextureSampling;
 use trigon_tests::golden::{Shot, floor, square};
@@ -101,4 +102,13 @@ fn scale_and_offset() {
 #[test]
 fn clamp_option() {
     with_options("-s 2 2 1 -o -0.5 -0.5 0 -clamp on", "texture/clamp-option");
+}
+
+/// Lines of a pattern break where two triangles of a side meet.
+#[test]
+fn affine_interpolation() {
+    Shot::asset("cube.obj")
+        .camera([1.4, 1.3, 2.0], [0.0, 0.0, 0.0])
+        .with(|settings| settings.interpolation = Interpolation::Affine)
+        .check("texture/affine-interpolation");
 }

@@ -42,6 +42,24 @@ pub(crate) enum RateChoice {
     Sample,
 }
 
+/// What colours are while they are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ColorSpaceChoice {
+    /// Linear light, encoded at the end
+    Linear,
+    /// Values as they are stored
+    Encoded,
+}
+
+/// How attributes vary over triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum InterpolationChoice {
+    /// Linearly over the surface, right in perspective
+    Perspective,
+    /// Linearly over the picture, as early hardware does
+    Affine,
+}
+
 /// How texels of one mip level are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PixelFilterChoice {

@@ -25,8 +25,8 @@ mod view;
 mod written;
 
 pub(crate) use choices::{
-    BitDepth, Compression, CullChoice, InputFormat, LevelFilterChoice, PatternChoice, PixelFilterChoice, RateChoice,
-    WireframeChoice, WrapChoice,
+    BitDepth, ColorSpaceChoice, Compression, CullChoice, InputFormat, InterpolationChoice, LevelFilterChoice,
+    PatternChoice, PixelFilterChoice, RateChoice, WireframeChoice, WrapChoice,
 };
 pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
 pub(crate) use compare::CompareOptions;

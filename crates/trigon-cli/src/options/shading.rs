@@ -1,6 +1,6 @@
 //! Options about surfaces and light.
 
-use super::{CullChoice, WireframeChoice};
+use super::{ColorSpaceChoice, CullChoice, InterpolationChoice, WireframeChoice};
 use crate::values::{LightValue, Positive};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -20,6 +20,17 @@ pub(crate) struct ShadingOptions {
     /// if it is not white. Point and spot lights lose strength with the square of the distance.
     #[arg(long = "light", value_name = "KIND:..")]
     pub(crate) lights: Vec<LightValue>,
+
+    /// What colours are while they are computed
+    ///
+    /// In linear light, light adds up and samples average as in nature. Encoded, all is done with stored values, as in
+    /// programs that know no gamma. Colours of lights and of the background are the same in both.
+    #[arg(long, value_enum, value_name = "SPACE", default_value = "linear")]
+    pub(crate) color_space: ColorSpaceChoice,
+
+    /// How texture coordinates, normals and the like vary over triangles
+    #[arg(long, value_enum, value_name = "WAY", default_value = "perspective")]
+    pub(crate) interpolation: InterpolationChoice,
 
     /// Sides of triangles that are left out
     #[arg(long, value_enum, value_name = "SIDE", default_value = "none")]

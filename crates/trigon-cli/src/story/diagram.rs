@@ -7,6 +7,7 @@ use super::triangle::{listed, names, number_in_mesh, samples_with};
 use crate::failure::Failure;
 use crate::figure::{Anchor, Sketch, enlarged, lay_over, line_height};
 use trigon::pipeline::{Outcome, TriangleStory};
+use trigon::target::ColorSpace;
 use trigon_image::Rgba8Image;
 use trigon_image::color::{linear_to_srgb, unit_to_u8};
 use trigon_scene::render::SceneStory;
@@ -128,7 +129,7 @@ impl View {
             let [x, y] = self.place([self.origin[0] + offset[0], self.origin[1] + offset[1]]);
             let drawn = |triangle: &TriangleStory| triangle.tests.get(s).is_some_and(|t| t.outcome == Outcome::Drawn);
             let ring = pixel.triangles.iter().rposition(drawn).map_or(GRID, |number| LINES[number % LINES.len()]);
-            let [r, g, b] = encoded(color);
+            let [r, g, b] = encoded(pixel.color_space, color);
             sketch.disc([x, y], radius + 3.5, "#ffffff", 1.0, "#ffffff");
             sketch.disc([x, y], radius, &format!("rgb({r},{g},{b})"), 4.0, ring);
             let ink = if u32::from(r) * 2 + u32::from(g) * 5 + u32::from(b) > 1000 { INK } else { "#ffffff" };
@@ -138,9 +139,12 @@ impl View {
 }
 
 /// The colour without its alpha, for the figure.
-fn encoded([r, g, b, a]: &[f32; 4]) -> [u8; 3] {
+fn encoded(space: ColorSpace, [r, g, b, a]: &[f32; 4]) -> [u8; 3] {
     let scale = if unit_to_u8(*a) == 0 { 0.0 } else { 1.0 / a };
-    [r, g, b].map(|c| linear_to_srgb(c * scale))
+    [r, g, b].map(|c| match space {
+        ColorSpace::Linear => linear_to_srgb(c * scale),
+        ColorSpace::Encoded => unit_to_u8(c * scale),
+    })
 }
 
 fn legend(sketch: &mut Sketch, story: &SceneStory, shown: &[(usize, &TriangleStory)]) {

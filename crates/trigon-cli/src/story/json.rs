@@ -4,7 +4,8 @@ use super::triangle::{blend, compare, label, linear_weights, number_in_mesh, out
 use crate::json::Json;
 use trigon::explain::{FragmentFacts, Note, TextureRead};
 use trigon::pipeline::{FragmentStory, SampleTest, TriangleStory};
-use trigon::target::ShadingRate;
+use trigon::shade::Interpolation;
+use trigon::target::{ColorSpace, ShadingRate};
 use trigon_scene::render::SceneStory;
 
 /// The whole story; `size` is that of the picture.
@@ -14,6 +15,14 @@ pub(crate) fn to_json(story: &SceneStory, (width, height): (u32, u32)) -> Json {
     let rate = match pixel.shading {
         ShadingRate::Pixel => "pixel",
         ShadingRate::Sample => "sample",
+    };
+    let interpolation = match pixel.interpolation {
+        Interpolation::Perspective => "perspective",
+        Interpolation::Affine => "affine",
+    };
+    let color_space = match pixel.color_space {
+        ColorSpace::Linear => "linear",
+        ColorSpace::Encoded => "encoded",
     };
     let samples = pixel.samples.iter().map(|[x, y]| floats(&[f32::from(*x) / 256.0, f32::from(*y) / 256.0])).collect();
     let fragments = pixel.fragments.iter().map(|f| fragment(f, pixel.triangles.get(f.triangle))).collect();
@@ -29,6 +38,8 @@ pub(crate) fn to_json(story: &SceneStory, (width, height): (u32, u32)) -> Json {
         ("height", height.into()),
         ("color", integers(story.color)),
         ("shading", rate.into()),
+        ("interpolation", interpolation.into()),
+        ("color_space", color_space.into()),
         ("samples", Json::List(samples)),
         ("clear", floats(&pixel.clear)),
         ("triangles", Json::List(pixel.triangles.iter().map(|t| triangle(story, t)).collect())),

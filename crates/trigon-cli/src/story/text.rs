@@ -7,7 +7,8 @@ use super::triangle::{
 use std::fmt::Write;
 use trigon::explain::{FragmentFacts, Note, TextureRead};
 use trigon::pipeline::{FragmentStory, Outcome, PixelStory, TriangleStory};
-use trigon::target::ShadingRate;
+use trigon::shade::Interpolation;
+use trigon::target::{ColorSpace, ShadingRate};
 use trigon_scene::render::SceneStory;
 
 /// The whole story; `size` is that of the picture.
@@ -146,7 +147,7 @@ fn one_fragment(out: &mut String, pixel: &PixelStory, i: usize, fragment: &Fragm
     line!(out);
     line!(out, "{kind} {i}: triangle {} at samples {samples}, at {x} {y} in the framebuffer", fragment.triangle);
     let triangle = pixel.triangles.get(fragment.triangle);
-    weights(out, facts, triangle);
+    weights(out, pixel.interpolation, facts, triangle);
     if !facts.varyings.is_empty() {
         line!(out, "  {:<22}{:>13}{:>13}{:>13}", "interpolated", "value", "per px right", "per px down");
     }
@@ -157,7 +158,15 @@ fn one_fragment(out: &mut String, pixel: &PixelStory, i: usize, fragment: &Fragm
         one_note(out, note);
     }
     let Some(color) = fragment.color else { return };
-    line!(out, "  {:<22}{:>13}{:>13}{:>13}{:>13}", "colour, linear light", "red", "green", "blue", "alpha");
+    line!(
+        out,
+        "  {:<22}{:>13}{:>13}{:>13}{:>13}",
+        format!("colour, {}", space(pixel)),
+        "red",
+        "green",
+        "blue",
+        "alpha"
+    );
     line!(out, "    {:<20}{}", "of the fragment", columns(&color));
     let Some(triangle) = triangle.filter(|triangle| blend(triangle.blend) != "replace") else { return };
     line!(out, "  blend: {}", blend(triangle.blend));
@@ -169,12 +178,24 @@ fn one_fragment(out: &mut String, pixel: &PixelStory, i: usize, fragment: &Fragm
     }
 }
 
-fn weights(out: &mut String, facts: &FragmentFacts, triangle: Option<&TriangleStory>) {
+/// What the numbers of colours are.
+fn space(pixel: &PixelStory) -> &'static str {
+    match pixel.color_space {
+        ColorSpace::Linear => "linear light",
+        ColorSpace::Encoded => "as stored",
+    }
+}
+
+fn weights(out: &mut String, way: Interpolation, facts: &FragmentFacts, triangle: Option<&TriangleStory>) {
+    let way = match way {
+        Interpolation::Perspective => "perspective",
+        Interpolation::Affine => "affine",
+    };
     line!(out, "  {:<22}{:>13}{:>13}{:>13}", "weights of vertices", "first", "second", "third");
-    line!(out, "    {:<20}{}", "perspective", columns(&facts.barycentric));
+    line!(out, "    {:<20}{}", way, columns(&facts.barycentric));
     #[expect(clippy::cast_possible_truncation, reason = "six digits are shown")]
     if let Some(linear) = triangle.and_then(|triangle| linear_weights(triangle, facts.point)) {
-        line!(out, "    {:<20}{}", "by area, without it", columns(&linear.map(|weight| weight as f32)));
+        line!(out, "    {:<20}{}", "by area", columns(&linear.map(|weight| weight as f32)));
     }
     let (w, depth) = (number(1.0 / facts.inverse_w), number(facts.depth));
     line!(out, "  1/w {}, so w {w}; depth {depth}", number(facts.inverse_w));
@@ -213,7 +234,7 @@ fn texture(out: &mut String, read: &TextureRead) {
             }
         }
     }
-    line!(out, "    {:<30}{}", "colour read, linear light", columns(&read.color));
+    line!(out, "    {:<30}{}", "value read", columns(&read.color));
 }
 
 fn pair([x, y]: [f32; 2]) -> String {
@@ -231,7 +252,7 @@ fn resolve(out: &mut String, story: &SceneStory) {
     let end = &story.pixel.resolve;
     line!(out);
     line!(out, "Resolve");
-    line!(out, "  {:<22}{:>13}{:>13}{:>13}{:>13}", "linear, premultiplied", "red", "green", "blue", "alpha");
+    line!(out, "  {:<22}{:>13}{:>13}{:>13}{:>13}", space(&story.pixel), "red", "green", "blue", "alpha");
     for (s, color) in end.samples.iter().enumerate() {
         line!(out, "    {:<20}{}", format!("sample {s}"), columns(color));
     }

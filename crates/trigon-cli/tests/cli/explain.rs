@@ -29,6 +29,7 @@ fn the_story_ends_with_the_pixel_of_the_picture() {
         "cube.obj --size 40x30 --wireframe",
         "cube.obj --size 40x30 --shader overdraw",
         "cube.obj --size 40x30 --background none",
+        "square.obj --size 40x30 --color-space encoded --interpolation affine --rotate-x 50 --background #204060",
     ] {
         let picture = folder.picture(&format!("render {options}"));
         for (x, y) in [(20, 15), (9, 9), (0, 0), (13, 8), (30, 20)] {

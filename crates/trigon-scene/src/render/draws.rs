@@ -10,6 +10,7 @@ use super::settings::{RenderSettings, Wireframe};
 use super::shader_kind::ShaderKind;
 use super::shaders::{BlinnPhong, Full, MeshView, Overlay, Plain, Shape, Stroke, Tinyrenderer};
 use super::sorting::{SortedPrimitives, back_to_front};
+use super::working_space::{from_linear, from_linear_premultiplied};
 use crate::math::Mat4;
 use crate::scene::{Instance, Mesh, Submesh};
 use trigon::geometry::{Cull, Indices, Primitives};
@@ -102,14 +103,15 @@ impl Piece<'_> {
         settings.shader.shows_materials() && self.surface.coverage == Coverage::Blend
     }
 
-    /// The mesh as the eye or a light sees it.
-    fn view(&self, clip_from_world: &Mat4) -> MeshView<'_> {
-        MeshView::new(self.mesh, self.instance, clip_from_world)
+    /// The mesh as the eye sees it.
+    fn view(&self, frame: &FrameUniforms) -> MeshView<'_> {
+        MeshView::new(self.mesh, self.instance, &frame.clip_from_world).with_colors_in(frame.color_space)
     }
 
     /// The surface without its colour, as the eye or a light sees it.
     pub(super) fn shape(&self, clip_from_world: &Mat4, eye: [f32; 4]) -> Shape<'_> {
-        Shape::new(self.view(clip_from_world), &self.surface, eye)
+        let mesh = MeshView::new(self.mesh, self.instance, clip_from_world);
+        Shape::new(mesh, &self.surface, eye)
     }
 
     /// The triangles, if there are any.
@@ -123,13 +125,8 @@ impl Piece<'_> {
         let is_hidden = settings.wireframe.is_some_and(|w| !w.surface);
         let shader = if is_hidden {
             // Surfaces in the colour of the background hide the lines behind them.
-            let color = settings.background;
-            Box::new(Stroke {
-                mesh: self.view(&frame.clip_from_world),
-                color,
-                uses_vertex_colors: false,
-                clip_z_offset: 0.0,
-            })
+            let color = from_linear_premultiplied(frame.color_space, settings.background);
+            Box::new(Stroke { mesh: self.view(frame), color, uses_vertex_colors: false, clip_z_offset: 0.0 })
         } else {
             self.shader(settings, frame, false)
         };
@@ -167,10 +164,11 @@ impl Piece<'_> {
             return Some(Item::opaque(self.shader(settings, frame, true), primitives, self.object, first));
         }
         let alpha = if self.surface.coverage == Coverage::Blend { self.surface.opacity } else { 1.0 };
-        let color = if self.surface.is_neutral { settings.ink() } else { self.surface.diffuse };
+        let color =
+            if self.surface.is_neutral { from_linear(frame.color_space, settings.ink()) } else { self.surface.diffuse };
         let [r, g, b] = color.map(|c| c * alpha);
         let shader = Box::new(Stroke {
-            mesh: self.view(&frame.clip_from_world),
+            mesh: self.view(frame),
             color: [r, g, b, alpha],
             uses_vertex_colors: !self.mesh.colors.is_empty(),
             clip_z_offset: towards_eye(frame, width_px),
@@ -188,7 +186,7 @@ impl Piece<'_> {
         frame: &'f FrameUniforms,
         is_point: bool,
     ) -> Box<dyn ErasedShader + 'f> {
-        let mesh = self.view(&frame.clip_from_world);
+        let mesh = self.view(frame);
         if let (ShaderKind::Tinyrenderer(lesson), false) = (settings.shader, is_point) {
             return Box::new(Tinyrenderer::new(frame, mesh, &self.surface, lesson));
         }
@@ -263,14 +261,14 @@ fn wireframes<'f>(
     frame: &'f FrameUniforms,
 ) -> impl Iterator<Item = Item<'f>> {
     let is_first = |i: &usize| *i == 0 || !std::ptr::eq(pieces[*i].instance, pieces[*i - 1].instance);
-    let (color, width_px) = (wireframe.color, wireframe.width_px);
+    let (color, width_px) = (from_linear_premultiplied(frame.color_space, wireframe.color), wireframe.width_px);
     let depth = if wireframe.hidden_lines { DepthTest::OFF } else { DepthTest::NEARER };
     (0..pieces.len()).filter(is_first).map(move |i| {
         let piece = &pieces[i];
         let indices = Indices::List(piece.facts.edges.as_flattened());
         Item {
             shader: Box::new(Stroke {
-                mesh: piece.view(&frame.clip_from_world),
+                mesh: piece.view(frame),
                 color,
                 uses_vertex_colors: false,
                 clip_z_offset: towards_eye(frame, width_px),

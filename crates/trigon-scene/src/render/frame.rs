@@ -6,6 +6,7 @@ use super::settings::RenderSettings;
 use super::shader_kind::ShaderKind;
 use crate::math::{Mat4, vec3};
 use crate::scene::{Camera, Projection, Scene};
+use trigon::target::ColorSpace;
 
 /// Camera and light.
 pub(super) struct FrameUniforms {
@@ -15,6 +16,8 @@ pub(super) struct FrameUniforms {
     /// The unit vector from what is looked at to the eye.
     pub(super) against_view: [f32; 3],
     pub(super) lighting: Lighting,
+    /// What colours are.
+    pub(super) color_space: ColorSpace,
     /// What the colours show.
     pub(super) shader: ShaderKind,
     /// Steps of light in toon shading.
@@ -55,6 +58,7 @@ impl FrameUniforms {
             eye,
             against_view: vec3::narrow(vec3::scale(forward, -1.0)),
             lighting: Lighting::new(&scene.lights, camera),
+            color_space: settings.color_space,
             shader: settings.shader,
             toon_levels: settings.toon_levels.clamp(1, RenderSettings::MAX_TOON_LEVELS),
             occlusion: None,

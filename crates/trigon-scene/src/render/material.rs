@@ -1,4 +1,4 @@
-//! Materials as shaders read them: factors in linear light, and the maps that a frame needs.
+//! Materials as shaders read them: factors in the frame's colour space, and the maps that it needs.
 //!
 //! In: a [`Material`], what the frame shows, the uploaded textures. Out: a [`Surface`].
 //!
@@ -10,9 +10,10 @@ use super::settings::{AlphaMode, RenderSettings};
 use super::shader_kind::ShaderKind;
 use super::texture_cache::TextureCache;
 use super::texture_upload::{Opacity, ScalarSource, Usage};
+use super::working_space::from_display;
 use crate::scene::{Illumination, Material, TextureId, TextureRef};
 use trigon::shade::texture::{PixelFilter, Sampler, Texture, Wrap};
-use trigon_image::color::srgb_decode;
+use trigon::target::ColorSpace;
 
 /// A material, ready for a shader.
 pub(super) struct Surface<'a> {
@@ -127,13 +128,15 @@ pub(super) struct Needs {
     alpha: AlphaMode,
     has_ambient_light: bool,
     normals: bool,
+    color_space: ColorSpace,
 }
 
 impl Needs {
     pub(super) fn new(settings: &RenderSettings, has_ambient_light: bool) -> Self {
         let normals = settings.outputs.normal
             || matches!(settings.shader, ShaderKind::BlinnPhong | ShaderKind::Toon | ShaderKind::Normal);
-        Self { shader: settings.shader, alpha: settings.alpha, has_ambient_light, normals }
+        let (shader, alpha, color_space) = (settings.shader, settings.alpha, settings.color_space);
+        Self { shader, alpha, has_ambient_light, normals, color_space }
     }
 
     fn is_lit(&self) -> bool {
@@ -155,11 +158,12 @@ impl Needs {
         let is_lit = illumination != Illumination::Color;
         let shines = illumination == Illumination::Specular && has_highlight(material);
         let has_alpha = self.alpha != AlphaMode::Opaque;
-        let color = if has_alpha { Usage::Color } else { Usage::OpaqueColor };
+        let space = self.color_space;
+        let color = if has_alpha { Usage::Color(space) } else { Usage::OpaqueColor(space) };
         let scalar = |map: &'m Option<TextureRef>, default| {
             map.as_ref().map(|map| (map, Usage::Scalar(ScalarSource::new(map.options.channel, default))))
         };
-        let opaque = |map: &'m Option<TextureRef>| map.as_ref().map(|map| (map, Usage::OpaqueColor));
+        let opaque = |map: &'m Option<TextureRef>| map.as_ref().map(|map| (map, Usage::OpaqueColor(space)));
         let mut requests = Vec::new();
         let mut add = |slot, needed: bool, map: Option<(&'m TextureRef, Usage)>| {
             if let Some((map, usage)) = map.filter(|_| needed) {
@@ -226,11 +230,12 @@ impl<'a> Surface<'a> {
         let illumination = needs.illumination(material);
         let glows = needs.is_lit();
         let shines = illumination == Illumination::Specular && has_highlight(material);
+        let space = needs.color_space;
         let mut surface = Self {
-            ambient: linear(material.ambient),
-            diffuse: linear(material.diffuse),
-            specular: if shines { linear(material.specular) } else { [0.0; 3] },
-            emissive: if glows { linear(material.emissive) } else { [0.0; 3] },
+            ambient: from_display(space, material.ambient),
+            diffuse: from_display(space, material.diffuse),
+            specular: if shines { from_display(space, material.specular) } else { [0.0; 3] },
+            emissive: if glows { from_display(space, material.emissive) } else { [0.0; 3] },
             exponent: material.specular_exponent,
             opacity: material.opacity,
             is_halo: material.is_halo,
@@ -338,10 +343,4 @@ impl<'a> MapUse<'a> {
 /// at a sharp line; exporters write it for surfaces that do not shine.
 fn has_highlight(material: &Material) -> bool {
     material.specular != [0.0; 3] && material.specular_exponent > 0.0
-}
-
-/// Display values to linear light.
-#[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
-fn linear(color: [f32; 3]) -> [f32; 3] {
-    color.map(|c| if c > 0.0 && c < 1.0 { srgb_decode(f64::from(c)) as f32 } else { c.max(0.0) })
 }

@@ -24,6 +24,7 @@ mod sorting;
 mod story;
 mod texture_cache;
 mod texture_upload;
+mod working_space;
 
 pub use effects::{AmbientOcclusion, Outline, Shadows};
 pub use error::RenderError;

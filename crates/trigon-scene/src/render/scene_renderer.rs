@@ -17,9 +17,11 @@ use super::shadow_map::ShadowMemory;
 use super::shapes::Shapes;
 use super::story::SceneStory;
 use super::texture_cache::TextureCache;
+use super::working_space::{from_linear, from_linear_premultiplied, pixels_to_linear};
 use crate::load::Warning;
 use crate::scene::{Camera, Instance, LightKind, Material, Mesh, Scene};
 use trigon::pipeline::{Draw, Frame, FrameStatistics, Outputs, Picture, Renderer};
+use trigon::target::ColorSpace;
 
 /// Draws scenes; keeps textures and edges between frames.
 ///
@@ -193,7 +195,7 @@ impl SceneRenderer {
                 let material = scene.material(submesh.material).unwrap_or(&self.neutral);
                 let mut surface = Surface::new(material, &needs, settings, &self.textures, facts.of_vertices(mesh));
                 if surface.is_neutral && submesh.triangles.is_empty() && !facts.has_point_normals {
-                    surface.diffuse = settings.ink();
+                    surface.diffuse = from_linear(settings.color_space, settings.ink());
                 }
                 pieces.push(Piece { instance, mesh, facts, submesh, object: first_object + submesh.part, surface });
             }
@@ -260,10 +262,13 @@ fn frame(settings: &RenderSettings) -> Frame {
         height: settings.height,
         samples: settings.samples,
         shading: settings.shading,
+        interpolation: settings.interpolation,
+        // Overdraw is a picture of counts.
+        color_space: if is_overdraw { ColorSpace::Linear } else { settings.color_space },
         clear: match settings.shader {
             ShaderKind::Overdraw => [0.0; 4],
             ShaderKind::Coverage => [0.0, 0.0, 0.0, 1.0],
-            _ => settings.background,
+            _ => from_linear_premultiplied(settings.color_space, settings.background),
         },
         outputs: Outputs {
             color_f32: wanted.color_f32 || (is_overdraw && any_color),
@@ -273,7 +278,7 @@ fn frame(settings: &RenderSettings) -> Frame {
     }
 }
 
-/// Last steps: counts to colours, draw numbers to object and primitive numbers.
+/// Last steps: counts to colours, display values to linear light, draw numbers to object and primitive numbers.
 fn finish(picture: &mut Picture, settings: &RenderSettings, items: &[Item<'_>]) {
     let wanted = settings.outputs;
     if settings.shader == ShaderKind::Overdraw {
@@ -281,6 +286,10 @@ fn finish(picture: &mut Picture, settings: &RenderSettings, items: &[Item<'_>]) 
         if !wanted.color_f32 {
             picture.color_f32 = None;
         }
+    } else if settings.color_space == ColorSpace::Encoded
+        && let Some(floats) = &mut picture.color_f32
+    {
+        pixels_to_linear(floats.values_mut());
     }
     let Some(objects) = &mut picture.object else { return };
     let item = |number: u32| usize::try_from(number).ok().and_then(|i| items.get(i));

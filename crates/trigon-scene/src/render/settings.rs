@@ -3,8 +3,9 @@
 use super::{AmbientOcclusion, Outline, ShaderKind, Shadows};
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
+use trigon::shade::Interpolation;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
-use trigon::target::{SamplePattern, ShadingRate};
+use trigon::target::{ColorSpace, SamplePattern, ShadingRate};
 
 /// How a scene is drawn. Start from [`RenderSettings::new`] and change what differs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +21,12 @@ pub struct RenderSettings {
     pub shift_px: [f32; 2],
     /// How often pixels are shaded.
     pub shading: ShadingRate,
+    /// How the attributes of vertices vary over triangles.
+    pub interpolation: Interpolation,
+    /// What colours are while light is added up, textures are filtered and samples are averaged: linear light, or display
+    /// values as they are stored, as in programs without a transfer function. Lights are numbers in both. The colours of
+    /// settings, scenes and float pictures are linear light whatever this is.
+    pub color_space: ColorSpace,
     /// Which images are made. `primitive` holds indices into the mesh's triangles (segments, points), `object` numbers
     /// the parts of all instances in order, `normal` is the one that shading uses. Blended surfaces and wireframes
     /// appear in colour only.
@@ -60,6 +67,8 @@ impl RenderSettings {
             samples: SamplePattern::standard(4).unwrap_or(SamplePattern::CENTER),
             shift_px: [0.0; 2],
             shading: ShadingRate::Pixel,
+            interpolation: Interpolation::Perspective,
+            color_space: ColorSpace::Linear,
             outputs: Outputs::COLOR,
             shader: ShaderKind::default(),
             background: Self::DEFAULT_BACKGROUND,

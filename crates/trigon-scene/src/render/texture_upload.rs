@@ -4,17 +4,19 @@
 //! chain, and how its opacity is distributed. Colours are sRGB-encoded; normals and scalars are numbers as stored, and
 //! keep the precision of 16-bit and float files.
 
+use super::working_space::from_linear_premultiplied;
 use crate::scene::Channel;
 use trigon::shade::texture::{Alpha, MipChain, TexelFormat, Texture, TextureDesc, TextureError};
+use trigon::target::ColorSpace;
 use trigon_image::DecodedImage;
 
 /// What a material map reads from a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Usage {
     /// A colour and its opacity.
-    Color,
+    Color(ColorSpace),
     /// A colour; the fourth channel is ignored.
-    OpaqueColor,
+    OpaqueColor(ColorSpace),
     /// Three numbers: a normal.
     Vector,
     /// One number.
@@ -101,7 +103,8 @@ impl Uploaded {
 pub(super) fn upload(image: &DecodedImage, usage: Usage) -> Result<Uploaded, TextureError> {
     let size = [image.width(), image.height()];
     match usage {
-        Usage::Color | Usage::OpaqueColor => color(image, size, usage == Usage::Color),
+        Usage::Color(space) => color(image, size, space, true),
+        Usage::OpaqueColor(space) => color(image, size, space, false),
         Usage::Vector => vector(image, size),
         Usage::Scalar(source) => scalar(image, size, source),
         Usage::Height if looks_like_normals(image) => Ok(Uploaded { holds_normals: true, ..vector(image, size)? }),
@@ -109,11 +112,12 @@ pub(super) fn upload(image: &DecodedImage, usage: Usage) -> Result<Uploaded, Tex
     }
 }
 
-fn color(image: &DecodedImage, size: [u32; 2], has_alpha: bool) -> Result<Uploaded, TextureError> {
+fn color(image: &DecodedImage, size: [u32; 2], space: ColorSpace, has_alpha: bool) -> Result<Uploaded, TextureError> {
     if let DecodedImage::RgbaF32(linear) = image {
         // Premultiplied already, so the channels are filtered as they are.
         let desc = TextureDesc { alpha: Alpha::Independent, ..TextureDesc::new(size, TexelFormat::Rgba32Float) };
-        let mut pixels = linear.pixels().to_vec();
+        let mut pixels: Vec<[f32; 4]> =
+            linear.pixels().iter().map(|pixel| from_linear_premultiplied(space, *pixel)).collect();
         let opacity = if has_alpha { Opacity::of(pixels.iter().map(|p| unit_to_byte(p[3]))) } else { Opacity::Opaque };
         if !has_alpha {
             pixels.iter_mut().for_each(|p| p[3] = 1.0);
@@ -121,7 +125,11 @@ fn color(image: &DecodedImage, size: [u32; 2], has_alpha: bool) -> Result<Upload
         return Ok(Uploaded::new(Texture::from_floats(&desc, pixels.as_flattened())?, opacity));
     }
     let bytes = image.clone().into_rgba8();
-    let desc = TextureDesc::new(size, TexelFormat::Rgba8Srgb);
+    let format = match space {
+        ColorSpace::Linear => TexelFormat::Rgba8Srgb,
+        ColorSpace::Encoded => TexelFormat::Rgba8,
+    };
+    let desc = TextureDesc { alpha: Alpha::Coverage, ..TextureDesc::new(size, format) };
     // An alpha channel that is zero everywhere was never meant as opacity.
     if has_alpha && bytes.pixels().iter().any(|p| p[3] != 0) {
         let opacity = Opacity::of(bytes.pixels().iter().map(|p| p[3]));

@@ -3,8 +3,8 @@
 use crate::geometry::{Cull, GeometryStatistics, Primitives};
 use crate::raster::DepthTest;
 use crate::resolve::Blend;
-use crate::shade::ErasedShader;
-use crate::target::{MAX_SIZE, SamplePattern, ShadingRate};
+use crate::shade::{ErasedShader, Interpolation};
+use crate::target::{ColorSpace, MAX_SIZE, SamplePattern, ShadingRate};
 use core::fmt;
 
 /// One submission: a shader, primitives and fixed-function state.
@@ -41,7 +41,7 @@ impl<'a> Draw<'a> {
 pub struct Outputs {
     /// 8-bit sRGB, straight alpha.
     pub color: bool,
-    /// Linear f32, premultiplied alpha.
+    /// The means of samples, in the frame's colour space: linear f32 as a rule, premultiplied alpha.
     pub color_f32: bool,
     /// NDC depth: 1 near, 0 far, and 0 where nothing was drawn.
     pub depth: bool,
@@ -101,7 +101,11 @@ pub struct Frame {
     pub samples: SamplePattern,
     /// How often pixels are shaded.
     pub shading: ShadingRate,
-    /// Colour where nothing is drawn: linear, premultiplied.
+    /// How the attributes of vertices vary over triangles. Depth is linear over the picture in both ways.
+    pub interpolation: Interpolation,
+    /// What the numbers are that shaders return: linear light, or values as they are stored.
+    pub color_space: ColorSpace,
+    /// Colour where nothing is drawn, in that space, premultiplied.
     pub clear: [f32; 4],
     /// Which images are made.
     pub outputs: Outputs,
@@ -116,6 +120,8 @@ impl Frame {
             height,
             samples: SamplePattern::CENTER,
             shading: ShadingRate::Pixel,
+            interpolation: Interpolation::Perspective,
+            color_space: ColorSpace::Linear,
             clear: [0.0, 0.0, 0.0, 1.0],
             outputs: Outputs::COLOR,
         }

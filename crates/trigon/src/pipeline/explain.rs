@@ -38,6 +38,8 @@ impl Renderer {
             pixel: [x, y],
             samples: frame.samples.positions().to_vec(),
             shading: frame.shading,
+            interpolation: frame.interpolation,
+            color_space: frame.color_space,
             clear: frame.clear,
             triangles,
             fragments,

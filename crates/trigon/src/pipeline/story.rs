@@ -3,7 +3,8 @@
 use crate::explain::{FragmentFacts, Note};
 use crate::raster::DepthTest;
 use crate::resolve::Blend;
-use crate::target::ShadingRate;
+use crate::shade::Interpolation;
+use crate::target::{ColorSpace, ShadingRate};
 
 /// How one pixel came about, from the triangles that may touch it to its bytes.
 #[derive(Clone, PartialEq, Debug)]
@@ -14,7 +15,11 @@ pub struct PixelStory {
     pub samples: Vec<[i16; 2]>,
     /// How often the pixel is shaded.
     pub shading: ShadingRate,
-    /// The colour before anything is drawn: linear, premultiplied.
+    /// How attributes vary over triangles.
+    pub interpolation: Interpolation,
+    /// What the numbers of all colours stand for.
+    pub color_space: ColorSpace,
+    /// The colour before anything is drawn, premultiplied.
     pub clear: [f32; 4],
     /// Every triangle whose box touches the pixel, in the order in which they are drawn.
     pub triangles: Vec<TriangleStory>,

@@ -15,7 +15,7 @@ use crate::raster::{
     BLOCK_SIZE, BLOCKS, BLOCKS_PER_SIDE, BlockState, Tile, TileTriangle, commit, draw_micro, draw_opaque, fill_masks,
 };
 use crate::resolve::{ColorBlock, encode_srgb8, resolve};
-use crate::target::TILE_SIZE;
+use crate::target::{ColorSpace, TILE_SIZE};
 use fearless_simd::Level;
 
 /// What every tile of a frame needs.
@@ -304,7 +304,7 @@ fn draw_ordered<L: Lanes>(
 #[inline(always)]
 fn finish_colors<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, keeps_colors: bool) {
     let [r, g, b, a] = input.frame.clear;
-    let clear = encode_srgb8(l, l.vec3([r, g, b]).rgba(a))[0];
+    let clear = encode_srgb8(l, l.vec3([r, g, b]).rgba(a), input.frame.color_space)[0];
     for b in 0..BLOCKS {
         if state.is_beside(l, b) {
             continue;
@@ -323,32 +323,32 @@ fn finish_colors<L: Lanes>(l: L, state: &mut TileState, input: &TileInput<'_>, k
         {
             witness.resolved(b, &state.colors[to]);
         }
-        store_block(l, &state.colors[to], &mut state.pixels, b);
+        store_block(l, &state.colors[to], &mut state.pixels, b, input.frame.color_space);
     }
 }
 
 /// Writes the clear colour to a block's pixels.
-fn clear_block(pixels: &mut TilePixels, b: usize, color: [u8; 4], linear: [f32; 4]) {
+fn clear_block(pixels: &mut TilePixels, b: usize, color: [u8; 4], floats: [f32; 4]) {
     let first = b / BLOCKS_PER_SIDE * BLOCK_SIZE * TILE_SIZE + b % BLOCKS_PER_SIDE * BLOCK_SIZE;
     for at in (first..).step_by(TILE_SIZE).take(BLOCK_SIZE) {
         if let Some(row) = pixels.color.values.get_mut(at..at + BLOCK_SIZE) {
             row.fill(color);
         }
         if let Some(row) = pixels.color_f32.values.get_mut(at..at + BLOCK_SIZE) {
-            row.fill(linear);
+            row.fill(floats);
         }
     }
 }
 
 /// Writes the colours of a block to the tile's pixels.
 #[inline(always)]
-fn store_block<L: Lanes>(l: L, colors: &ColorBlock, pixels: &mut TilePixels, b: usize) {
+fn store_block<L: Lanes>(l: L, colors: &ColorBlock, pixels: &mut TilePixels, b: usize, space: ColorSpace) {
     let (x, y) = (b % BLOCKS_PER_SIDE * BLOCK_SIZE, b / BLOCKS_PER_SIDE * BLOCK_SIZE);
     for g in 0..BLOCK_SIZE * BLOCK_SIZE / LANES {
         let color = resolve(l, colors, g);
         let at = (y + 2 * g) * TILE_SIZE + x;
         if !pixels.color.values.is_empty() {
-            let encoded = encode_srgb8(l, color);
+            let encoded = encode_srgb8(l, color, space);
             pixels.color.values[at..at + BLOCK_SIZE].copy_from_slice(&encoded[..BLOCK_SIZE]);
             let at = at + TILE_SIZE;
             pixels.color.values[at..at + BLOCK_SIZE].copy_from_slice(&encoded[BLOCK_SIZE..]);

@@ -196,7 +196,9 @@ impl VisibleTriangles {
             let id = ids[lane.min(ids.len() - 1)];
             let (chunk, triangle) = self.refs[id as usize];
             let chunk = &input.chunks[chunk as usize];
-            fill_lane(&mut self.group, lane, draw, chunk, &chunk.triangles[triangle as usize]);
+            let triangle = &chunk.triangles[triangle as usize];
+            self.group.set_triangle(lane, triangle, input.frame.interpolation);
+            fill_lane(&mut self.group, lane, draw, chunk, triangle);
         }
         for (lane, id) in ids.iter().enumerate() {
             self.slots[*id as usize] = (first + lane * quads) as u32;
@@ -209,7 +211,6 @@ impl VisibleTriangles {
 
 #[inline(always)]
 fn fill_lane(group: &mut TriangleGroup, lane: usize, draw: &Draw<'_>, chunk: &Chunk, triangle: &ScreenTriangle) {
-    group.triangles[lane] = *triangle;
     let vertices = draw.primitives.vertices(triangle.primitive as usize);
     let is_clipped = triangle.tags.has(Tags::CLIPPED);
     let weights = if is_clipped { chunk.clipped[triangle.side as usize].0 } else { TriangleGroup::UNCLIPPED };

@@ -38,6 +38,17 @@ const MAX_ROWS: usize = ROW_VARYINGS + ROWS_PER_COMPONENT * MAX_COMPONENTS;
 /// One row per coefficient, lane by lane.
 pub type Rows = [[f32; LANES]; MAX_ROWS];
 
+/// How attributes vary over a triangle between its corners.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Interpolation {
+    /// Linearly over the surface, so that they look right in perspective.
+    #[default]
+    Perspective,
+    /// Linearly over the picture, as if all corners were equally far away: what early hardware and first programs do.
+    /// Triangles that reach far into the picture look bent along their edges.
+    Affine,
+}
+
 /// Up to sixteen triangles of one draw.
 pub struct TriangleGroup {
     /// Missing ones repeat the last.
@@ -53,6 +64,15 @@ impl TriangleGroup {
     pub(crate) const UNCLIPPED: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     /// Rows before any were made.
     pub(crate) const NO_ROWS: Rows = [[0.0; LANES]; MAX_ROWS];
+
+    /// Puts a triangle in a lane. Affine interpolation is that of a triangle whose corners have the same w.
+    #[inline(always)]
+    pub(crate) fn set_triangle(&mut self, lane: usize, triangle: &ScreenTriangle, interpolation: Interpolation) {
+        self.triangles[lane] = *triangle;
+        if interpolation == Interpolation::Affine {
+            self.triangles[lane].inv_w = [1.0; 3];
+        }
+    }
 }
 
 impl Default for TriangleGroup {

@@ -10,7 +10,7 @@ mod shader;
 pub mod texture;
 mod varying;
 
-pub use coefficients::{FragmentRows, Rows, TriangleGroup};
+pub use coefficients::{FragmentRows, Interpolation, Rows, TriangleGroup};
 pub use erased::{ErasedShader, FragmentBatch};
 pub use fragments::{ColorGroup, FragmentRange, SurfaceGroup};
 pub use shader::{Fragment, Shader, SurfaceLanes, Vertex};

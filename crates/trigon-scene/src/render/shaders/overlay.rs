@@ -1,13 +1,12 @@
 //! Looks inside: attributes and ids as colours.
 //!
-//! Values are shown as 8-bit codes: what is 0..=1 becomes the code `round(255 v)` of the stored picture, which
-//! the linear value of that code gives after encoding.
+//! Values are shown as 8-bit codes: what is 0..=1 becomes the code `round(255 v)` of the stored picture.
 
 use super::blinn_phong::BlinnPhong;
+use super::display::displayed;
 use super::vertex::{Attributes, Layout};
 use crate::render::shader_kind::ShaderKind;
 use trigon::lanes::{F32, Lanes, Mask, Rgba, U32, Vec3};
-use trigon::math::srgb8_to_linear;
 use trigon::shade::{Fragment, Shader, SurfaceLanes, Vertex};
 
 /// Draws a mesh as `kind` says; cut-outs are those of the material.
@@ -99,12 +98,6 @@ fn id_color<L: Lanes>(l: L, id: U32<L>) -> Vec3<L> {
     Vec3 { x: r.to_f32() * channel, y: g.to_f32() * channel, z: b.to_f32() * channel } + l.vec3([0.28; 3])
 }
 
-/// The linear value that is stored as the code nearest to `255 v`.
-#[inline(always)]
-fn display<L: Lanes>(v: F32<L>) -> F32<L> {
-    srgb8_to_linear((v.saturate() * 255.0 + 0.5).to_i32_within(0.0, 255.0).as_u32())
-}
-
 impl<A: Layout> Shader for Overlay<'_, A> {
     type Varying<L: Lanes> = A::Varying<L>;
 
@@ -117,7 +110,7 @@ impl<A: Layout> Shader for Overlay<'_, A> {
     fn fragment<L: Lanes>(&self, l: L, f: &Fragment<L, A::Varying<L>>) -> Rgba<L> {
         let v = self.value(l, f);
         l.note("value shown", v);
-        Vec3 { x: display(v.x), y: display(v.y), z: display(v.z) }.rgba(1.0)
+        displayed(v, self.base.frame.color_space)
     }
 
     #[inline(always)]

@@ -27,7 +27,7 @@ impl Shader for Stroke<'_> {
         let mut color = l.vec4(self.color);
         if self.uses_vertex_colors {
             let [r, g, b, a] = self.color;
-            let c = index.gather_vec4(self.mesh.colors);
+            let c = self.mesh.color(index);
             color = Vec4 { x: (c.x * c.w) * r, y: (c.y * c.w) * g, z: (c.z * c.w) * b, w: c.w * a };
         }
         Vertex { position: Vec4 { z, ..p }, varying: color }

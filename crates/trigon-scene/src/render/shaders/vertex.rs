@@ -5,8 +5,10 @@
 
 use crate::math::Mat4;
 use crate::scene::{Instance, Mesh};
-use trigon::lanes::{self, Lanes, U32, Vec2, Vec3, Vec4};
+use trigon::lanes::{self, F32, Lanes, U32, Vec2, Vec3, Vec4};
+use trigon::math::linear_to_srgb8;
 use trigon::shade::{Varying, Vertex};
+use trigon::target::ColorSpace;
 
 trigon::varying! {
     /// Position, normal and uv.
@@ -74,6 +76,8 @@ pub(in crate::render) struct MeshView<'a> {
     normal_from_model: lanes::Mat4,
     /// -1 for a transform that mirrors: it turns the bitangent around, which is a cross product.
     handedness: f32,
+    /// What vertex colours, which are linear, are turned into.
+    color_space: ColorSpace,
 }
 
 impl<'a> MeshView<'a> {
@@ -92,7 +96,13 @@ impl<'a> MeshView<'a> {
             world_from_model: lanes::Mat4 { columns: world.columns },
             normal_from_model: lanes::Mat4 { columns: [x, y, z, [0.0, 0.0, 0.0, 1.0]] },
             handedness: if world.linear_determinant() < 0.0 { -1.0 } else { 1.0 },
+            color_space: ColorSpace::Linear,
         }
+    }
+
+    /// The same with vertex colours in `space`.
+    pub(in crate::render) fn with_colors_in(self, space: ColorSpace) -> Self {
+        Self { color_space: space, ..self }
     }
 
     /// Whether vertices have more than position, normal and uv.
@@ -117,6 +127,16 @@ impl<'a> MeshView<'a> {
         self.normal_from_model.transform_vector(normal)
     }
 
+    /// The colours of sixteen vertices, straight alpha. Display values are rounded to bytes, as files hold them.
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, index: U32<L>) -> Vec4<L> {
+        let c = index.gather_vec4(self.colors);
+        match self.color_space {
+            ColorSpace::Linear => c,
+            ColorSpace::Encoded => Vec4 { x: encoded(c.x), y: encoded(c.y), z: encoded(c.z), w: c.w },
+        }
+    }
+
     /// Position, normal and uv of sixteen vertices.
     #[inline(always)]
     pub(super) fn plain<L: Lanes>(&self, l: L, index: U32<L>) -> PlainVarying<L> {
@@ -128,6 +148,12 @@ impl<'a> MeshView<'a> {
             uv: index.gather_vec2(self.uvs),
         }
     }
+}
+
+/// The display value of linear light.
+#[inline(always)]
+fn encoded<L: Lanes>(c: F32<L>) -> F32<L> {
+    linear_to_srgb8(c).to_f32() * (1.0 / 255.0)
 }
 
 impl Layout for Plain {
@@ -145,7 +171,7 @@ impl Layout for Full {
     #[inline(always)]
     fn fetch<L: Lanes>(l: L, mesh: &MeshView<'_>, index: U32<L>) -> FullVarying<L> {
         let PlainVarying { position, normal, uv } = mesh.plain(l, index);
-        let color = if mesh.colors.is_empty() { l.vec4([1.0; 4]) } else { index.gather_vec4(mesh.colors) };
+        let color = if mesh.colors.is_empty() { l.vec4([1.0; 4]) } else { mesh.color(index) };
         let tangent = index.gather_vec4(mesh.tangents);
         let along = mesh.world_from_model.transform_vector(tangent.xyz()).normalize();
         FullVarying { position, normal, uv, color, tangent: along.extend(tangent.w * mesh.handedness) }

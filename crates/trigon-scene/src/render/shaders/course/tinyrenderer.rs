@@ -15,14 +15,14 @@ use crate::render::course::tinyrenderer::Lesson;
 use crate::render::frame::FrameUniforms;
 use crate::render::lights::Source;
 use crate::render::material::{MapUse, Slot, Surface};
+use crate::render::shaders::display::displayed;
 use crate::render::shaders::maps::Footprint;
 use crate::render::shaders::obstacles::{Effects, Obstacles};
 use crate::render::shaders::point::SurfacePoint;
 use crate::render::shaders::vertex::{MeshView, Plain, PlainVarying};
+use crate::render::working_space::to_display;
 use trigon::lanes::{F32, Lanes, Rgba, U32, Vec2, Vec3};
-use trigon::math::srgb8_to_linear;
 use trigon::shade::{Fragment, Shader, SurfaceLanes, Vertex};
-use trigon_image::color::srgb_encode;
 
 /// Draws one material on one mesh.
 pub(in crate::render) struct Tinyrenderer<'a> {
@@ -67,13 +67,11 @@ impl<'a> Tinyrenderer<'a> {
         lesson: Lesson,
     ) -> Self {
         let has_color = lesson.has_colors() && surface.diffuse_map().is_none();
-        #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
-        let encode = |c: f32| srgb_encode(f64::from(c).clamp(0.0, 1.0)) as f32;
-        let color = if has_color { surface.diffuse.map(encode) } else { [1.0; 3] };
+        let color = if has_color { to_display(frame.color_space, surface.diffuse) } else { [1.0; 3] };
         Self { frame, mesh, surface, lesson, weights: Weights::of(lesson), color }
     }
 
-    /// The colour of sixteen points: linear values that are stored as the bytes of the formula.
+    /// The colour of sixteen points, which is stored as the bytes of the formula.
     #[inline(never)]
     fn shade<L: Lanes>(&self, l: L, point: &SurfacePoint<L>, pixel: Vec2<L>) -> Rgba<L> {
         l.vectorize(
@@ -106,7 +104,8 @@ impl<'a> Tinyrenderer<'a> {
         let bytes = Vec3 { x: bytes.x.min(255.0), y: bytes.y.min(255.0), z: bytes.z.min(255.0) };
         let length = bytes.length().max(LONGEST_IN_SHADOW);
         let bytes = (bytes * (LONGEST_IN_SHADOW / length)).mix(bytes, shown);
-        Vec3 { x: stored(bytes.x), y: stored(bytes.y), z: stored(bytes.z) }.rgba(1.0)
+        let whole = Vec3 { x: bytes.x.floor(), y: bytes.y.floor(), z: bytes.z.floor() };
+        displayed(whole * (1.0 / 255.0), self.frame.color_space)
     }
 
     /// The unit normal in world space.
@@ -181,12 +180,6 @@ fn power_35<L: Lanes>(x: F32<L>) -> F32<L> {
     let x8 = x4 * x4;
     let x16 = x8 * x8;
     (x16 * x16) * (x2 * x)
-}
-
-/// The linear value that is stored as the whole part of `byte`.
-#[inline(always)]
-fn stored<L: Lanes>(byte: F32<L>) -> F32<L> {
-    srgb8_to_linear(byte.floor().to_i32_within(0.0, 255.0).as_u32())
 }
 
 impl Shader for Tinyrenderer<'_> {
