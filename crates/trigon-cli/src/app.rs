@@ -3,7 +3,7 @@
 use crate::command;
 use crate::deadline;
 use crate::failure::Failure;
-use crate::options::{Cli, Command, Given, Preset, Written, command_line, with_implied_render};
+use crate::options::{Cli, Command, Given, Written, command_line_for, with_implied_render};
 use crate::terminal::{self, Terminal};
 use clap::FromArgMatches;
 use std::ffi::OsString;
@@ -12,11 +12,7 @@ use std::process::ExitCode;
 /// Runs the command line; the first argument is the program's name.
 pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     let arguments = with_implied_render(arguments);
-    // A preset is read first, because it sets the defaults that the rest is read with.
-    let matches = command_line().try_get_matches_from(&arguments).and_then(|matches| match Preset::of(&matches) {
-        Some(preset) => preset.command_line(&matches).try_get_matches_from(&arguments),
-        None => Ok(matches),
-    });
+    let matches = command_line_for(&arguments).try_get_matches_from(&arguments);
     let read =
         matches.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, Given::of(&matches), Written::of(&matches))));
     let done = match read {

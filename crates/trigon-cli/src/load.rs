@@ -17,6 +17,7 @@ use trigon_scene::load::{
 };
 use trigon_scene::math::Mat4;
 use trigon_scene::render::ShaderKind;
+use trigon_scene::render::course::games101::{self, Homework3};
 use trigon_scene::render::course::learning_tinyrenderer;
 use trigon_scene::render::course::tinyrenderer::{self, Lesson};
 use trigon_scene::scene::{Scene, Texture, TextureId, TextureRef};
@@ -38,24 +39,30 @@ impl Models {
         let mut load_options = load_options(options, render.machine.threads);
         let textures = SvgTextures::new(&render.svg_input, load_options.limits.texture_bytes);
         load_options.picture_decoder = Some(Arc::new(textures));
+        let pictures = GivenPictures::read(options, &load_options)?;
         let (mut scene, mut warnings, mut up) = (Scene::default(), Vec::new(), None);
         let mut files = paths.to_vec();
         files.extend(options.texture.clone());
         files.extend(options.height_map.clone());
+        let preset = render.preset.preset;
+        if preset == Some(Preset::Games101Hw2) {
+            scene = games101::triangles();
+        }
         for path in paths {
             let mut loaded = load_one(path, &load_options)?;
-            dress(&mut loaded, path, render, &load_options);
+            if let Some(preset) = preset {
+                // What is given comes before what the preset finds.
+                pictures.put_on(&mut loaded.scene)?;
+                dress(&mut loaded, path, preset, render.shading.shader, &load_options);
+            }
             let folder = path.parent().unwrap_or(Path::new(""));
             files.extend(loaded.scene.textures.iter().map(|texture| folder.join(&texture.name)));
             up.get_or_insert(usual_up(loaded.format));
             scene.merge(loaded.scene);
             warnings.extend(loaded.warnings);
         }
-        if let Some(path) = &options.texture {
-            add_texture(&mut scene, path, &load_options)?;
-        }
-        if let Some(path) = &options.height_map {
-            add_height_map(&mut scene, path, &load_options)?;
+        if preset.is_none() {
+            pictures.put_on(&mut scene)?;
         }
         Ok(Self { scene, warnings, up: up.unwrap_or(UpDirection::PLUS_Y), files })
     }
@@ -74,18 +81,22 @@ impl Models {
     }
 }
 
-/// Gives a model the pictures that the program of the preset finds by its name.
-fn dress(loaded: &mut Loaded, path: &Path, render: &RenderOptions, options: &LoadOptions) {
+/// Gives a model what the program of the preset gives it: pictures that it finds by its name, and materials.
+fn dress(loaded: &mut Loaded, path: &Path, preset: Preset, shader: ShaderKind, options: &LoadOptions) {
     let beside = DirectoryResolver::new(path.parent().unwrap_or(Path::new("")));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (scene, max_bytes) = (&mut loaded.scene, options.limits.texture_bytes);
-    let warnings = match (render.preset.preset, render.shading.shader) {
-        (Some(Preset::Tinyrenderer), ShaderKind::Tinyrenderer(lesson)) => {
+    let warnings = match (preset, shader) {
+        (Preset::Tinyrenderer, ShaderKind::Tinyrenderer(lesson)) => {
             tinyrenderer::dress(scene, &name, lesson, &beside, max_bytes)
         }
-        (Some(Preset::Tinyrenderer), _) => tinyrenderer::dress(scene, &name, Lesson::Final, &beside, max_bytes),
-        (Some(Preset::LearningTinyrenderer), _) => learning_tinyrenderer::dress(scene, &name, &beside, max_bytes),
-        (Some(Preset::Cs184) | None, _) => return,
+        (Preset::Tinyrenderer, _) => tinyrenderer::dress(scene, &name, Lesson::Final, &beside, max_bytes),
+        (Preset::LearningTinyrenderer, _) => learning_tinyrenderer::dress(scene, &name, &beside, max_bytes),
+        (Preset::Games101Hw3, ShaderKind::Games101(shading)) => {
+            games101::dress(scene, &name, shading, &beside, max_bytes)
+        }
+        (Preset::Games101Hw3, _) => games101::dress(scene, &name, Homework3::Phong, &beside, max_bytes),
+        (Preset::Cs184 | Preset::Games101Hw2, _) => return,
     };
     for texture in &mut scene.textures {
         texture.max_pixels = options.limits.texture_pixels;
@@ -157,30 +168,49 @@ fn usual_up(format: Format) -> UpDirection {
     }
 }
 
-/// Puts a picture on every material without a diffuse map.
-fn add_texture(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<(), Failure> {
-    let id = read_texture(scene, path, options)?;
-    for material in &mut scene.materials {
-        if material.is_neutral() {
-            // The picture shows as it is.
-            (material.ambient, material.diffuse) = ([1.0; 3], [1.0; 3]);
-        }
-        material.maps.diffuse.get_or_insert_with(|| TextureRef::new(id));
-    }
-    Ok(())
+/// The pictures of --texture and --height-map.
+struct GivenPictures {
+    diffuse: Option<Texture>,
+    heights: Option<Texture>,
 }
 
-/// Puts a picture of heights on every material, in place of the one that it may have.
-fn add_height_map(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<(), Failure> {
-    let id = read_texture(scene, path, options)?;
-    for material in &mut scene.materials {
-        material.maps.displacement = Some(TextureRef::new(id));
+impl GivenPictures {
+    fn read(input: &InputOptions, options: &LoadOptions) -> Result<Self, Failure> {
+        let read = |path: &Option<PathBuf>| path.as_ref().map(|path| read_texture(path, options)).transpose();
+        Ok(Self { diffuse: read(&input.texture)?, heights: read(&input.height_map)? })
     }
-    Ok(())
+
+    /// The texture goes on every material without a diffuse map, the heights on all, in place of those they may have.
+    fn put_on(&self, scene: &mut Scene) -> Result<(), Failure> {
+        if let Some(texture) = &self.diffuse {
+            let id = add(scene, texture)?;
+            for material in &mut scene.materials {
+                if material.is_neutral() {
+                    // The picture shows as it is.
+                    (material.ambient, material.diffuse) = ([1.0; 3], [1.0; 3]);
+                }
+                material.maps.diffuse.get_or_insert_with(|| TextureRef::new(id));
+            }
+        }
+        if let Some(texture) = &self.heights {
+            let id = add(scene, texture)?;
+            for material in &mut scene.materials {
+                material.maps.displacement = Some(TextureRef::new(id));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Adds a picture to those of the scene.
-fn read_texture(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result<TextureId, Failure> {
+fn add(scene: &mut Scene, texture: &Texture) -> Result<TextureId, Failure> {
+    let id = u32::try_from(scene.textures.len());
+    let id = id.map_err(|_| Failure::work(format!("{}: there are too many textures", texture.name)))?;
+    scene.textures.push(texture.clone());
+    Ok(TextureId(id))
+}
+
+fn read_texture(path: &Path, options: &LoadOptions) -> Result<Texture, Failure> {
     let limits = &options.limits;
     let failure = |problem: &str| Failure::work(format!("cannot read the texture {}: {problem}", path.display()));
     let metadata = fs::metadata(path).map_err(|error| failure(&error.to_string()))?;
@@ -188,12 +218,6 @@ fn read_texture(scene: &mut Scene, path: &Path, options: &LoadOptions) -> Result
         return Err(failure(&format!("larger than the limit texture-size = {}", limits.texture_bytes)));
     }
     let bytes = fs::read(path).map_err(|error| failure(&error.to_string()))?;
-    let id = TextureId(u32::try_from(scene.textures.len()).map_err(|_| failure("there are too many textures"))?);
     let texture = Texture::new(path.display().to_string(), bytes);
-    scene.textures.push(Texture {
-        max_pixels: limits.texture_pixels,
-        decoder: options.picture_decoder.clone(),
-        ..texture
-    });
-    Ok(id)
+    Ok(Texture { max_pixels: limits.texture_pixels, decoder: options.picture_decoder.clone(), ..texture })
 }

@@ -3,13 +3,15 @@
 use crate::failure::Failure;
 use crate::options::{
     ColorSpaceChoice, CullChoice, InterpolationChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice, Preset,
-    RateChoice, RenderOptions, WireframeChoice, WrapChoice,
+    RateChoice, RenderOptions, ShadingOptions, WireframeChoice, WrapChoice,
 };
+use crate::values::Real;
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
 use trigon::shade::Interpolation;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
 use trigon::target::{ColorSpace, SamplePattern, ShadingRate};
+use trigon_scene::render::course::games101::{Homework3, Relief};
 use trigon_scene::render::course::tinyrenderer;
 use trigon_scene::render::{RenderSettings, ShaderKind, TextureSampling, Wireframe};
 
@@ -47,6 +49,7 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
         shadows: options.effects.shadows(),
         ambient_occlusion: options.effects.ambient_occlusion(),
         toon_levels: options.effects.toon_levels,
+        relief: relief(shading)?,
         outline: options.effects.outline(),
         ..RenderSettings::new(picture.size.width, picture.size.height)
     };
@@ -57,6 +60,25 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
     Ok(settings)
 }
 
+/// The relief of the shaders that have one; the others would not show what is asked for.
+fn relief(options: &ShadingOptions) -> Result<Relief, Failure> {
+    let has_relief = matches!(options.shader, ShaderKind::Games101(shading) if shading.has_relief());
+    for (name, value) in [("--bump-height", options.bump_height), ("--bump-scale", options.bump_scale)] {
+        if value.is_some() && !has_relief {
+            let message = format!(
+                "{name} is about the shaders games101-bump and games101-displacement; the shader is {}",
+                options.shader
+            );
+            return Err(Failure::usage(message));
+        }
+    }
+    let default = Relief::default();
+    Ok(Relief {
+        height: options.bump_height.map_or(default.height, Real::to_f32),
+        scale: options.bump_scale.map_or(default.scale, Real::to_f32),
+    })
+}
+
 /// Light grey behind surfaces as they look, black behind colours that stand for numbers.
 fn default_background(shader: ShaderKind) -> [f32; 4] {
     match shader {
@@ -64,7 +86,10 @@ fn default_background(shader: ShaderKind) -> [f32; 4] {
         | ShaderKind::Flat
         | ShaderKind::Toon
         | ShaderKind::Unlit
-        | ShaderKind::Tinyrenderer(_) => RenderSettings::DEFAULT_BACKGROUND,
+        | ShaderKind::Tinyrenderer(_)
+        | ShaderKind::Games101(Homework3::Texture | Homework3::Phong | Homework3::Displacement) => {
+            RenderSettings::DEFAULT_BACKGROUND
+        }
         _ => [0.0, 0.0, 0.0, 1.0],
     }
 }

@@ -9,6 +9,7 @@ use trigon::pipeline::{Picture, Renderer, RendererOptions};
 use trigon::shade::Interpolation;
 use trigon::target::{ColorSpace, ShadingRate};
 use trigon_scene::load::{LoadOptions, MemoryResolver, load_bytes};
+use trigon_scene::render::course::games101::Homework3;
 use trigon_scene::render::{AmbientOcclusion, Outline, RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe};
 use trigon_scene::scene::{
     Camera, Displacement, Framing, Light, LightKind, Projection, Scene, Texture, TextureId, TextureRef,
@@ -81,6 +82,7 @@ pub(super) fn frames() -> Vec<NamedFrame> {
 
     let encoded = RenderSettings { color_space: ColorSpace::Encoded, ..small };
     let affine = RenderSettings { interpolation: Interpolation::Affine, ..small };
+    let relief = RenderSettings { shader: ShaderKind::Games101(Homework3::Displacement), ..small };
 
     let mut shadows = small;
     // Large enough for several threads.
@@ -109,12 +111,14 @@ pub(super) fn frames() -> Vec<NamedFrame> {
         frame("wireframe", &Rc::new(load(CUBE)), &wireframe),
         frame("encoded-colours", &Rc::new(load(STROKES)), &encoded),
         frame("affine-interpolation", &Rc::new(load(CUBE)), &affine),
+        frame("games101-relief", &Rc::new(with_heights(load(CUBE))), &relief),
         frame("ply-strokes", &Rc::new(load(STROKES)), &small),
         frame("stl-facets", &Rc::new(load(TETRAHEDRON)), &small),
     ];
     let (cube, teapot) = (Rc::new(cube), Rc::new(teapot));
-    // Without a map for what glows that shader is the one before: no frame of its own.
-    for shader in ShaderKind::ALL.into_iter().filter(|shader| shader.name() != "tinyrenderer-glow") {
+    // Without maps for what glows and for heights these shaders are others: no frames of their own.
+    let has_frame = |shader: &ShaderKind| !["tinyrenderer-glow", "games101-displacement"].contains(&shader.name());
+    for shader in ShaderKind::ALL.into_iter().filter(has_frame) {
         let scene = if matches!(shader, ShaderKind::MipLevel | ShaderKind::Uv) { &cube } else { &teapot };
         frames.push(frame(&format!("shader-{shader}"), scene, &RenderSettings { shader, ..small }));
     }
@@ -134,17 +138,22 @@ fn load((name, bytes): (&str, &[u8])) -> Scene {
 
 /// A cube with the relief of an orange, as geometry.
 fn displaced_cube() -> Scene {
-    let mut scene = load(CUBE);
+    let mut scene = with_heights(load(CUBE));
+    let camera = Framing::default().camera(&scene);
+    let settings = Displacement { scale: Some(0.2), max_edge_px: 4.0, ..Displacement::default() };
+    let displaced = scene.displace(&camera, [97, 83], &settings);
+    assert!(displaced.is_fine && displaced.warnings.is_empty(), "{displaced:?}");
+    scene
+}
+
+/// The same with the height map of an orange on all materials.
+fn with_heights(mut scene: Scene) -> Scene {
     let (path, bytes) = asset!("textures/peel-height.png");
     let map = TextureId(u32::try_from(scene.textures.len()).expect("few textures"));
     scene.textures.push(Texture::new(path, bytes));
     for material in &mut scene.materials {
         material.maps.displacement = Some(TextureRef::new(map));
     }
-    let camera = Framing::default().camera(&scene);
-    let settings = Displacement { scale: Some(0.2), max_edge_px: 4.0, ..Displacement::default() };
-    let displaced = scene.displace(&camera, [97, 83], &settings);
-    assert!(displaced.is_fine && displaced.warnings.is_empty(), "{displaced:?}");
     scene
 }
 

@@ -100,6 +100,13 @@ impl Shot {
         self
     }
 
+    /// Seen by this camera.
+    #[must_use]
+    pub fn seen_by(mut self, camera: Camera) -> Self {
+        self.camera = Some(camera);
+        self
+    }
+
     /// Changes settings.
     #[must_use]
     pub fn with(mut self, change: impl FnOnce(&mut RenderSettings)) -> Self {

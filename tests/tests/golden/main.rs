@@ -3,6 +3,7 @@
 //! `cargo xtask bless [FILTER]` accepts what is drawn now. Look at each changed picture before committing it.
 
 mod blend;
+mod courses;
 mod effects;
 mod lines;
 mod loaders;
@@ -26,6 +27,7 @@ fn frame_hashes() {
 fn every_stored_picture_belongs_to_a_case() {
     let sources = [
         include_str!("blend.rs"),
+        include_str!("courses.rs"),
         include_str!("effects.rs"),
         include_str!("lines.rs"),
         include_str!("loaders.rs"),

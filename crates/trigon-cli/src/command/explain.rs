@@ -8,7 +8,6 @@ use crate::options::ExplainOptions;
 use crate::output::{Destination, Encoding, Images};
 use crate::story::{to_json, to_picture, to_text};
 use crate::terminal;
-use crate::view;
 use trigon_scene::render::SceneStory;
 
 pub(crate) fn explain(options: &ExplainOptions) -> Result<(), Failure> {
@@ -24,7 +23,7 @@ pub(crate) fn explain(options: &ExplainOptions) -> Result<(), Failure> {
         return Err(Failure::usage("diagrams have 8 bits per channel; leave out --bit-depth, and write PNG"));
     }
     let mut studio = Studio::open(render, &output, &encoding)?;
-    let camera = view::camera(&render.view, &studio.scene, studio.up, studio.aspect())?;
+    let camera = studio.look(render, None)?;
     let story = studio.explain(&camera, options.pixel.0, !render.picture.layer_files().is_empty())?;
     if output != Destination::Stdout {
         let images = Images { bytes: studio.draw(&camera)?.bytes, floats: None };

@@ -6,7 +6,6 @@ use crate::failure::Failure;
 use crate::load;
 use crate::options::{Given, RenderCommandOptions, Written};
 use crate::output::{Destination, Encoding};
-use crate::view;
 use std::time::Instant;
 
 pub(crate) fn render(options: &RenderCommandOptions, given: Given, written: &Written) -> Result<(), Failure> {
@@ -37,10 +36,7 @@ pub(crate) fn render(options: &RenderCommandOptions, given: Given, written: &Wri
     let output = Destination::new(&options.output.output);
     let encoding = Encoding::choose(&options.output, &output)?;
     let mut studio = Studio::open(options, &output, &encoding)?;
-    let mut camera = view::camera(&options.view, &studio.scene, studio.up, studio.aspect())?;
-    if studio.displace(options, &camera)? {
-        camera = view::camera(&options.view, &studio.scene, studio.up, studio.aspect())?;
-    }
+    let camera = studio.look(options, None)?;
     let images = studio.draw(&camera)?;
     let started = Instant::now();
     output.write(&encoding.encode(&images)?)?;

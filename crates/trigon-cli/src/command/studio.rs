@@ -4,17 +4,19 @@
 
 use crate::failure::Failure;
 use crate::load::Models;
-use crate::options::RenderOptions;
+use crate::options::{Preset, RenderOptions};
 use crate::output::{Destination, Encoding, Images};
 use crate::pictures::Layers;
 use crate::report::{Report, ReportTarget, Stages};
 use crate::terminal::Terminal;
+use crate::turn::Turn;
 use crate::values::UpDirection;
 use crate::{machine, settings, view};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use trigon::pipeline::{Picture, Renderer};
 use trigon_scene::load::Warning;
+use trigon_scene::render::course::games101;
 use trigon_scene::render::{RenderSettings, SceneRenderer, SceneStory};
 use trigon_scene::scene::{Camera, Scene};
 
@@ -45,7 +47,7 @@ impl Studio {
     /// Finds everything that can be wrong before a model is read.
     fn empty(options: &RenderOptions, output: &Destination, encoding: &Encoding) -> Result<Self, Failure> {
         let mut report = Report::start();
-        check_inputs(&options.models)?;
+        check_inputs(&options.models, options.preset.preset)?;
         view::check(&options.view)?;
         output.check(&options.models)?;
         let report_target = ReportTarget::choose(options.output.json.as_ref(), output);
@@ -94,8 +96,28 @@ impl Studio {
         Ok(())
     }
 
+    /// The camera that the options ask for, after what depends on it: displaced geometry, and lights that a preset
+    /// attaches to it. `turn`, if there is one, is all of what it has to show.
+    pub(crate) fn look(&mut self, options: &RenderOptions, turn: Option<&Turn>) -> Result<Camera, Failure> {
+        let mut camera = self.camera(options, turn)?;
+        if self.displace(options, &camera)? {
+            camera = self.camera(options, turn)?;
+        }
+        if options.preset.preset == Some(Preset::Games101Hw3) && options.shading.lights.is_empty() {
+            self.scene.lights.extend(games101::lights(&camera));
+        }
+        Ok(camera)
+    }
+
+    fn camera(&self, options: &RenderOptions, turn: Option<&Turn>) -> Result<Camera, Failure> {
+        match turn {
+            Some(turn) => view::camera(&options.view, &turn.swept(&self.scene), self.up, self.aspect()),
+            None => view::camera(&options.view, &self.scene, self.up, self.aspect()),
+        }
+    }
+
     /// Makes geometry of height maps, if the options ask for it: fine enough for what `camera` sees. True if it has.
-    pub(crate) fn displace(&mut self, options: &RenderOptions, camera: &Camera) -> Result<bool, Failure> {
+    fn displace(&mut self, options: &RenderOptions, camera: &Camera) -> Result<bool, Failure> {
         let Some(settings) = options.displacement.displacement() else { return Ok(false) };
         let started = Instant::now();
         let displaced = self.scene.displace(camera, [self.settings.width, self.settings.height], &settings);
@@ -118,7 +140,7 @@ impl Studio {
     }
 
     /// Width / height.
-    pub(crate) fn aspect(&self) -> f64 {
+    fn aspect(&self) -> f64 {
         f64::from(self.settings.width) / f64::from(self.settings.height)
     }
 
@@ -224,7 +246,11 @@ impl Studio {
     }
 }
 
-fn check_inputs(models: &[PathBuf]) -> Result<(), Failure> {
+fn check_inputs(models: &[PathBuf], preset: Option<Preset>) -> Result<(), Failure> {
+    if let (Some(preset), Some(model)) = (preset.filter(|preset| preset.has_scene()), models.first()) {
+        let message = format!("{} draws a scene of its own; leave out {}", preset.written(), model.display());
+        return Err(Failure::usage(message));
+    }
     if models.iter().filter(|path| path.as_os_str() == "-").count() > 1 {
         return Err(Failure::usage("standard input (-) can be read only once"));
     }

@@ -9,7 +9,6 @@ use crate::options::TurntableOptions;
 use crate::output::{Destination, Encoding, FrameTemplate, Images};
 use crate::progress::Progress;
 use crate::turn::Turn;
-use crate::view;
 use std::f64::consts::TAU;
 use std::sync::mpsc::{Receiver, sync_channel};
 use std::thread;
@@ -27,10 +26,7 @@ pub(crate) fn turntable(options: &TurntableOptions) -> Result<(), Failure> {
 
     let frames = options.animation.frames;
     let turn = Turn::new(&studio.scene, studio.up.0);
-    let mut first_camera = view::camera(&render.view, &turn.swept(&studio.scene), studio.up, studio.aspect())?;
-    if studio.displace(render, &first_camera)? {
-        first_camera = view::camera(&render.view, &turn.swept(&studio.scene), studio.up, studio.aspect())?;
-    }
+    let first_camera = studio.look(render, Some(&turn))?;
     let lights = std::mem::take(&mut studio.scene.lights);
     let progress = Progress::new(studio.terminal, frames);
     let encode_time = thread::scope(|scope| {

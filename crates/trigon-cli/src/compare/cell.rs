@@ -6,7 +6,6 @@ use crate::command::studio::Studio;
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{Destination, Encoding, Images};
-use crate::view;
 use std::time::Duration;
 
 /// What is drawn.
@@ -36,7 +35,7 @@ pub(crate) fn draw(subject: Subject, variant: &Variant, is_float: bool) -> Resul
     }
     let output = Destination::new(&options.output.output);
     let mut studio = Studio::open(options, &output, &Encoding::in_memory(is_float))?;
-    let camera = view::camera(&options.view, &studio.scene, studio.up, studio.aspect())?;
+    let camera = studio.look(options, None)?;
     let (images, time) = studio.draw_timed(&camera)?;
     Ok(Cell { images, time })
 }

@@ -1,6 +1,6 @@
 //! Options of `trigon compare`: those of a picture, what is varied, and what is shown enlarged.
 
-use super::{Given, RenderCommandOptions, command_line};
+use super::{Given, RenderCommandOptions, command_line, command_line_for};
 use crate::values::{Axis, Inset};
 use clap::{Args, FromArgMatches};
 use std::ffi::OsString;
@@ -57,7 +57,7 @@ impl CompareOptions {
     /// # Errors
     /// A value that its option does not take, in the words of the option table.
     pub(crate) fn with(arguments: &[OsString], values: &[(String, String)]) -> Result<(Self, Given), clap::Error> {
-        let table = command_line().mut_subcommand("compare", |compare| compare.args_override_self(true));
+        let table = command_line_for(arguments).mut_subcommand("compare", |compare| compare.args_override_self(true));
         let end = arguments.iter().position(|argument| argument == "--").unwrap_or(arguments.len());
         let (before, after) = arguments.split_at(end);
         let written = values.iter().map(|(name, value)| OsString::from(format!("--{name}={value}")));

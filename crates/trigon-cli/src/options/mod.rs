@@ -38,7 +38,7 @@ pub(crate) use input::InputOptions;
 pub(crate) use machine::MachineOptions;
 pub(crate) use output::OutputOptions;
 pub(crate) use picture::PictureOptions;
-pub(crate) use preset::{Preset, PresetOptions};
+pub(crate) use preset::{Preset, PresetOptions, command_line_for};
 pub(crate) use render::RenderOptions;
 pub(crate) use shading::ShadingOptions;
 pub(crate) use svg::{NearestTexel, RenderCommandOptions};

@@ -1,10 +1,11 @@
 //! Options about surfaces and light.
 
 use super::{ColorSpaceChoice, CullChoice, InterpolationChoice, WireframeChoice};
-use crate::values::{LightValue, Positive};
+use crate::values::{LightValue, Positive, Real};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use trigon_scene::render::ShaderKind;
+use trigon_scene::render::course::games101::Homework3;
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Surface and light")]
@@ -32,6 +33,14 @@ pub(crate) struct ShadingOptions {
     #[arg(long, value_enum, value_name = "WAY", default_value = "perspective")]
     pub(crate) interpolation: InterpolationChoice,
 
+    /// kh of the shaders games101-bump and games101-displacement: steepness [default: 0.2]
+    #[arg(long, value_name = "KH", allow_hyphen_values = true)]
+    pub(crate) bump_height: Option<Real>,
+
+    /// kn of these shaders: how far heights move points, and times kh their steepness [default: 0.1]
+    #[arg(long, value_name = "KN", allow_hyphen_values = true)]
+    pub(crate) bump_scale: Option<Real>,
+
     /// Sides of triangles that are left out
     #[arg(long, value_enum, value_name = "SIDE", default_value = "none")]
     pub(crate) cull: CullChoice,
@@ -52,4 +61,16 @@ pub(crate) struct ShadingOptions {
 fn shader_parser() -> impl TypedValueParser<Value = ShaderKind> {
     let values = ShaderKind::ALL.map(|kind| PossibleValue::new(kind.name()).help(kind.description()));
     PossibleValuesParser::new(values).try_map(|name| name.parse::<ShaderKind>())
+}
+
+/// The same with the shaders of GAMES101's homework 3 by the names that the course gives them.
+pub(super) fn homework_3_parser() -> impl TypedValueParser<Value = ShaderKind> {
+    let short = |shading: Homework3| shading.name().trim_start_matches("games101-");
+    let of_course = Homework3::ALL.map(|shading| PossibleValue::new(short(shading)).help(shading.description()));
+    let others = ShaderKind::ALL.into_iter().filter(|kind| *kind != ShaderKind::Normal);
+    let others = others.map(|kind| PossibleValue::new(kind.name()).help(kind.description()));
+    PossibleValuesParser::new(of_course.into_iter().chain(others)).try_map(move |name| {
+        let shading = Homework3::ALL.into_iter().find(|shading| short(*shading) == name);
+        shading.map_or_else(|| name.parse(), |shading| Ok(ShaderKind::Games101(shading)))
+    })
 }

@@ -53,7 +53,7 @@ pub(crate) struct ViewOptions {
     pub(crate) far: Option<f64>,
 
     /// Scale the model, by one factor or x,y,z
-    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
+    #[arg(long, visible_alias = "model-scale", value_name = "FACTOR", allow_hyphen_values = true)]
     pub(crate) scale: Option<Scale>,
 
     /// Turn the model about the x axis, after scaling it

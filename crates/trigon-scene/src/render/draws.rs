@@ -8,7 +8,7 @@ use super::material::{Coverage, Surface};
 use super::scene_renderer::MeshFacts;
 use super::settings::{RenderSettings, Wireframe};
 use super::shader_kind::ShaderKind;
-use super::shaders::{BlinnPhong, Full, MeshView, Overlay, Plain, Shape, Stroke, Tinyrenderer};
+use super::shaders::{BlinnPhong, Full, Games101, MeshView, Overlay, Plain, Shape, Stroke, Tinyrenderer};
 use super::sorting::{SortedPrimitives, back_to_front};
 use super::working_space::{from_linear, from_linear_premultiplied};
 use crate::math::Mat4;
@@ -187,8 +187,14 @@ impl Piece<'_> {
         is_point: bool,
     ) -> Box<dyn ErasedShader + 'f> {
         let mesh = self.view(frame);
-        if let (ShaderKind::Tinyrenderer(lesson), false) = (settings.shader, is_point) {
-            return Box::new(Tinyrenderer::new(frame, mesh, &self.surface, lesson));
+        match (settings.shader, is_point) {
+            (ShaderKind::Tinyrenderer(lesson), false) => {
+                return Box::new(Tinyrenderer::new(frame, mesh, &self.surface, lesson));
+            }
+            (ShaderKind::Games101(shading), false) => {
+                return Box::new(Games101::new(frame, mesh, &self.surface, shading));
+            }
+            _ => {}
         }
         let is_flat = settings.shader == ShaderKind::Flat;
         let is_lit = !is_point || self.facts.has_point_normals;

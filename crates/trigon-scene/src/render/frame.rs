@@ -1,11 +1,13 @@
 //! What all shaders of a frame share: the camera and the light.
 
+use super::course::games101::Relief;
 use super::lights::{Lighting, Source};
 use super::occlusion::OcclusionMap;
 use super::settings::RenderSettings;
 use super::shader_kind::ShaderKind;
 use crate::math::{Mat4, vec3};
 use crate::scene::{Camera, Projection, Scene};
+use trigon::lanes;
 use trigon::target::ColorSpace;
 
 /// Camera and light.
@@ -15,9 +17,12 @@ pub(super) struct FrameUniforms {
     pub(super) eye: [f32; 4],
     /// The unit vector from what is looked at to the eye.
     pub(super) against_view: [f32; 3],
+    /// The world as the camera sees it: x right, y up, z towards the viewer.
+    pub(super) view_from_world: lanes::Mat4,
     pub(super) lighting: Lighting,
     /// What colours are.
     pub(super) color_space: ColorSpace,
+    pub(super) relief: Relief,
     /// What the colours show.
     pub(super) shader: ShaderKind,
     /// Steps of light in toon shading.
@@ -57,8 +62,10 @@ impl FrameUniforms {
             clip_from_world,
             eye,
             against_view: vec3::narrow(vec3::scale(forward, -1.0)),
+            view_from_world: lanes::Mat4 { columns: camera.view_from_world().columns },
             lighting: Lighting::new(&scene.lights, camera),
             color_space: settings.color_space,
+            relief: settings.relief,
             shader: settings.shader,
             toon_levels: settings.toon_levels.clamp(1, RenderSettings::MAX_TOON_LEVELS),
             occlusion: None,

@@ -6,6 +6,7 @@
 //! space, but its values were chosen on screens of programs that drew them unchanged, and nearly all programs still
 //! show them so. Above 1 (emission) a value is taken as it is.
 
+use super::course::games101::Homework3;
 use super::settings::{AlphaMode, RenderSettings};
 use super::shader_kind::ShaderKind;
 use super::texture_cache::TextureCache;
@@ -150,8 +151,10 @@ impl Needs {
 
     /// The textures that `material` needs.
     pub(super) fn requests<'m>(&self, material: &'m Material) -> Vec<Request<'m>> {
-        if let ShaderKind::Tinyrenderer(_) = self.shader {
-            return stored_values(material);
+        match self.shader {
+            ShaderKind::Tinyrenderer(_) => return stored_values(material),
+            ShaderKind::Games101(shading) => return its_picture(material, shading).into_iter().collect(),
+            _ => {}
         }
         let maps = &material.maps;
         let illumination = self.illumination(material);
@@ -202,6 +205,17 @@ fn stored_values(material: &Material) -> Vec<Request<'_>> {
         .into_iter()
         .filter_map(|(slot, map, usage)| map.as_ref().map(|map| Request { slot, map, usage, is_inverted: false }))
         .collect()
+}
+
+/// The one picture that a shader of GAMES101 reads, as it is stored.
+fn its_picture(material: &Material, shading: Homework3) -> Option<Request<'_>> {
+    let maps = &material.maps;
+    let (slot, map) = match shading {
+        Homework3::Normal | Homework3::Phong => return None,
+        Homework3::Texture => (Slot::Diffuse, maps.diffuse.as_ref()),
+        Homework3::Bump | Homework3::Displacement => (Slot::Bump, maps.displacement.as_ref().or(maps.bump.as_ref())),
+    };
+    map.map(|map| Request { slot, map, usage: Usage::Vector, is_inverted: false })
 }
 
 /// A bump map with a channel of its own is heights for sure; one without is a normal map now and then, because some

@@ -1,5 +1,6 @@
 //! How a scene is drawn: everything that is neither scene nor camera.
 
+use super::course::games101::Relief;
 use super::{AmbientOcclusion, Outline, ShaderKind, Shadows};
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
@@ -53,6 +54,8 @@ pub struct RenderSettings {
     pub ambient_occlusion: Option<AmbientOcclusion>,
     /// Steps of light of [`ShaderKind::Toon`], 1 to [`RenderSettings::MAX_TOON_LEVELS`].
     pub toon_levels: u32,
+    /// How high the relief of [`ShaderKind::Games101`] is.
+    pub relief: Relief,
     /// Whether the outlines of things are drawn, and how; not by default.
     pub outline: Option<Outline>,
 }
@@ -81,6 +84,7 @@ impl RenderSettings {
             shadows: None,
             ambient_occlusion: None,
             toon_levels: 3,
+            relief: Relief::default(),
             outline: None,
         }
     }

@@ -1,5 +1,6 @@
 //! The ways a scene can be drawn, by name: as it looks, or as the stages of the pipeline see it.
 
+use super::course::games101::Homework3;
 use super::course::tinyrenderer::Lesson;
 use std::fmt;
 use std::str::FromStr;
@@ -39,6 +40,8 @@ pub enum ShaderKind {
     Objects,
     /// A lesson of tinyrenderer; see [`tinyrenderer`](super::course::tinyrenderer).
     Tinyrenderer(Lesson),
+    /// A shader of GAMES101's homework 3; see [`games101`](super::course::games101).
+    Games101(Homework3),
 }
 
 /// A name that no shader has.
@@ -47,7 +50,7 @@ pub struct UnknownShader(pub String);
 
 impl ShaderKind {
     /// All kinds, the default first.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 25] = [
         Self::BlinnPhong,
         Self::Flat,
         Self::Toon,
@@ -68,6 +71,11 @@ impl ShaderKind {
         Self::Tinyrenderer(Lesson::ObjectNormals),
         Self::Tinyrenderer(Lesson::TangentNormals),
         Self::Tinyrenderer(Lesson::Glow),
+        Self::Games101(Homework3::Normal),
+        Self::Games101(Homework3::Texture),
+        Self::Games101(Homework3::Phong),
+        Self::Games101(Homework3::Bump),
+        Self::Games101(Homework3::Displacement),
     ];
 
     /// The name that [`FromStr`] reads.
@@ -89,6 +97,7 @@ impl ShaderKind {
             Self::Ids => "ids",
             Self::Objects => "objects",
             Self::Tinyrenderer(lesson) => lesson.name(),
+            Self::Games101(shading) => shading.name(),
         }
     }
 
@@ -111,17 +120,18 @@ impl ShaderKind {
             Self::Ids => "a colour for each primitive",
             Self::Objects => "a colour for each object",
             Self::Tinyrenderer(lesson) => lesson.description(),
+            Self::Games101(shading) => shading.description(),
         }
     }
 
     /// Whether it draws materials under the lights.
     pub(super) fn is_lit(self) -> bool {
-        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon | Self::Tinyrenderer(_))
+        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon | Self::Tinyrenderer(_) | Self::Games101(_))
     }
 
     /// Whether it draws materials with their colours.
     pub(super) fn shows_materials(self) -> bool {
-        matches!(self, Self::BlinnPhong | Self::Flat | Self::Toon | Self::Unlit | Self::Tinyrenderer(_))
+        self.is_lit() || self == Self::Unlit
     }
 }
 

@@ -3,10 +3,11 @@
 //! In: models as loaded, without materials. Out: a scene that [`SceneRenderer`](crate::render::SceneRenderer) draws as
 //! the program does. Dmitry Sokolov, "tinyrenderer" (2025), <https://github.com/ssloy/tinyrenderer>.
 
-use crate::load::{Location, Place, Resolver, Warning, WarningKind};
+use super::pictures::Finder;
+use crate::load::{Resolver, Warning};
 use crate::math::vec3;
 use crate::render::{AlphaMode, RenderSettings, ShaderKind};
-use crate::scene::{Camera, Light, LightKind, Maps, Material, Projection, Scene, Texture, TextureId, TextureRef};
+use crate::scene::{Camera, Light, LightKind, Maps, Material, Projection, Scene, TextureRef};
 use trigon::geometry::Cull;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
 use trigon::target::SamplePattern;
@@ -131,26 +132,14 @@ pub fn settings(lesson: Lesson) -> RenderSettings {
 pub fn dress(scene: &mut Scene, model: &str, lesson: Lesson, resolver: &dyn Resolver, max_bytes: u64) -> Vec<Warning> {
     let stem = model.strip_suffix(".gz").unwrap_or(model);
     let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
-    let mut warnings = Vec::new();
     let has = |pick: fn(&Maps) -> &Option<TextureRef>| {
         !scene.materials.is_empty() && scene.materials.iter().all(|material| pick(&material.maps).is_some())
     };
     let [has_diffuse, has_normal] = [has(|maps| &maps.diffuse), has(|maps| &maps.normal)];
     let [has_specular, has_emissive] = [has(|maps| &maps.specular), has(|maps| &maps.emissive)];
+    let mut finder = Finder::new(resolver, max_bytes);
     let mut find = |end: &str, is_needed: bool| {
-        let name = format!("{stem}{end}");
-        if !is_needed {
-            return None;
-        }
-        match add(scene, &name, resolver, max_bytes) {
-            Ok(texture) => Some(texture),
-            Err(problem) => {
-                let location = Location { file: name, place: Place::File };
-                let message = format!("{problem}; drawn without it");
-                warnings.push(Warning { location, kind: WarningKind::MissingFile, message });
-                None
-            }
-        }
+        if is_needed { finder.find(scene, &format!("{stem}{end}")) } else { None }
     };
     let is_bent = !matches!(lesson, Lesson::Flat | Lesson::Phong);
     let diffuse = find("_diffuse.tga", lesson.has_colors() && !has_diffuse);
@@ -167,16 +156,5 @@ pub fn dress(scene: &mut Scene, model: &str, lesson: Lesson, resolver: &dyn Reso
         maps.specular = maps.specular.take().or_else(|| specular.clone());
         maps.emissive = maps.emissive.take().or_else(|| emissive.clone());
     }
-    warnings
-}
-
-fn add(scene: &mut Scene, name: &str, resolver: &dyn Resolver, max_bytes: u64) -> Result<TextureRef, String> {
-    let path = resolver.find(name).ok_or("picture not found")?;
-    let bytes = resolver.read(&path, max_bytes).map_err(|error| error.to_string())?;
-    if u64::try_from(bytes.len()).unwrap_or(u64::MAX) > max_bytes {
-        return Err(format!("picture is larger than the limit of {max_bytes} bytes"));
-    }
-    let id = u32::try_from(scene.textures.len()).map_err(|error| error.to_string())?;
-    scene.textures.push(Texture::new(path, bytes));
-    Ok(TextureRef::new(TextureId(id)))
+    finder.into_warnings()
 }

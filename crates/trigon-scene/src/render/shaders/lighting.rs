@@ -73,7 +73,7 @@ impl Sky {
 impl Source {
     /// The unit vector to the light, and how much of it arrives.
     #[inline(always)]
-    fn reach<L: Lanes>(&self, l: L, position: Vec3<L>) -> (Vec3<L>, F32<L>) {
+    pub(super) fn reach<L: Lanes>(&self, l: L, position: Vec3<L>) -> (Vec3<L>, F32<L>) {
         let place = l.vec3(self.place);
         if self.is_directional {
             return (place, l.f32(1.0));

@@ -22,7 +22,7 @@ mod toon;
 mod vertex;
 
 pub(super) use blinn_phong::BlinnPhong;
-pub(super) use course::Tinyrenderer;
+pub(super) use course::{Games101, Tinyrenderer};
 pub(super) use overlay::Overlay;
 pub(super) use shape::Shape;
 pub(super) use stroke::Stroke;
