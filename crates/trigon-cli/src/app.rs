@@ -46,7 +46,7 @@ fn execute(command: &Command, given: Given, written: &Written, arguments: &[OsSt
         }
         Command::Explain(options) => {
             deadline::start(options.render.machine.time_limit)?;
-            command::explain(options)
+            command::explain(options, written)
         }
         Command::Completions(options) => command::completions(options),
         Command::Man(options) => command::man(options),

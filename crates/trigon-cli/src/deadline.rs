@@ -19,7 +19,7 @@ pub(crate) fn start(limit: Option<Positive>) -> Result<(), Failure> {
         thread::sleep(limit);
         let _held = writing();
         let failure = Failure::work(format!(
-            "not done after {seconds} s, the --time-limit; nothing was written; allow more, or draw something smaller"
+            "not done after {seconds} s, the --time-limit; no unfinished file is left; allow more, or draw something smaller"
         ));
         Terminal::detect(false).failure(&failure);
         // The other threads are in the middle of things that cannot be called off.

@@ -20,6 +20,12 @@ impl Command {
             return Err("only commands of 'trigon' can be run here".to_owned());
         }
         words.remove(0);
+        let is_hidden = |word: &String| {
+            word.starts_with("--output=") || word.starts_with("--json=") || (word.starts_with("-o") && word != "-o")
+        };
+        if let Some(word) = words.iter().find(|word| is_hidden(word)) {
+            return Err(format!("'{word}' names a file within a word; write -o FILE, as two words"));
+        }
         let flag = words.iter().position(|word| word == "-o" || word == "--output");
         let output = flag.map(|flag| flag + 1);
         if output.is_some_and(|output| output >= words.len()) {

@@ -1,12 +1,13 @@
 //! `trigon compare`: a model or SVG file and options to vary in; a labelled sheet of all combinations out.
 
 use super::drawing;
+use super::render::check_kind;
 use crate::compare::{Entry, Layout, Reference, Subject, Variant, draw, rmse, sheet, variants};
 use crate::failure::Failure;
 use crate::hash::PictureHash;
 use crate::json::Json;
 use crate::load;
-use crate::options::{CompareOptions, Given, RenderCommandOptions};
+use crate::options::{CompareOptions, Given};
 use crate::output::{Destination, Encoding, Images};
 use crate::report::{ReportTarget, write_report};
 use crate::terminal::Terminal;
@@ -32,6 +33,7 @@ pub(crate) fn compare(options: &CompareOptions, given: Given, arguments: &[OsStr
         return Err(Failure::usage("sheets have 8 bits per channel; leave out --bit-depth, and write PNG"));
     }
     output.check(&render.models)?;
+    output.check_not_among(&render.picture.layer_files())?;
     let target = ReportTarget::choose(render.output.json.as_ref(), &output);
     target.as_ref().map_or(Ok(()), |target| target.check(&render.models))?;
     let subject = match drawing::is_drawing(&render.models, load::max_file_bytes(&render.input)) {
@@ -39,10 +41,10 @@ pub(crate) fn compare(options: &CompareOptions, given: Given, arguments: &[OsStr
         false => Subject::Model,
     };
     let variants = variants(arguments, options, given)?;
-    variants.iter().try_for_each(|variant| check(subject, &variant.options))?;
+    variants.iter().try_for_each(|variant| check(subject, variant))?;
 
     let mut reference = Reference::default();
-    let cells = draw_all(arguments, subject, variants, &mut reference)?;
+    let cells = draw_all(arguments, subject, variants, &mut reference, !options.no_times)?;
     check_inset(options, &cells)?;
     let picture = sheet(&entries(options, &cells, &reference), &layout(options, &cells))?;
     output.write(&encoding.encode(&Images { bytes: Some(picture), floats: None })?)?;
@@ -53,8 +55,9 @@ pub(crate) fn compare(options: &CompareOptions, given: Given, arguments: &[OsStr
 }
 
 /// Finds what is wrong with a combination before any is drawn.
-fn check(subject: Subject, options: &RenderCommandOptions) -> Result<(), Failure> {
-    let render = &options.render;
+fn check(subject: Subject, variant: &Variant) -> Result<(), Failure> {
+    let render = &variant.options.render;
+    check_kind(subject == Subject::Drawing, render, &variant.written)?;
     match subject {
         Subject::Model => {
             view::check(&render.view)?;
@@ -69,12 +72,13 @@ fn draw_all(
     subject: Subject,
     variants: Vec<Variant>,
     reference: &mut Reference,
+    is_timed: bool,
 ) -> Result<Vec<Compared>, Failure> {
     let mut cells = Vec::with_capacity(variants.len());
     for mut variant in variants {
         // What is odd about the file is told once.
         variant.options.render.output.quiet |= !cells.is_empty();
-        let cell = draw(subject, &variant, false)?;
+        let cell = draw(subject, &variant, false, is_timed)?;
         let image = cell.images.bytes.ok_or_else(|| Failure::work("the picture was not drawn"))?;
         let ideal = reference.of(arguments, subject, &variant, (image.width(), image.height()))?;
         let rmse = rmse(&image, ideal).unwrap_or(f64::NAN);

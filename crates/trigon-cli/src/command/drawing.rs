@@ -6,7 +6,7 @@ use super::{cs184, document};
 use crate::failure::Failure;
 use crate::hash::PictureHash;
 use crate::json::Json;
-use crate::options::{Given, RenderCommandOptions};
+use crate::options::{Given, Preset, RenderCommandOptions, RenderOptions};
 use crate::output::{Destination, Encoding, Images};
 use crate::report::{ReportTarget, write_report};
 use crate::stdin;
@@ -53,13 +53,8 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     report_target.as_ref().map_or(Ok(()), |target| target.check(&render.models))?;
 
     let mut drawn = make(options, given, max_bytes)?;
+    tell(render, &drawn.warnings)?;
     let (terminal, path) = (Terminal::detect(render.output.quiet), render.models[0].display());
-    for warning in &drawn.warnings {
-        if render.input.strict {
-            return Err(Failure::work(format!("{path}: {warning} (an error because of --strict)")));
-        }
-        terminal.warning(&format!("{path}: {warning}"));
-    }
     let encode_started = Instant::now();
     let mut hash = PictureHash::new();
     hash.add(&drawn.image);
@@ -95,9 +90,22 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
 /// Reads and draws the file.
 pub(crate) fn make(options: &RenderCommandOptions, given: Given, max_bytes: u64) -> Result<Drawn, Failure> {
     match options.render.preset.preset {
-        None => document::draw(options, given, max_bytes),
-        Some(_) => cs184::draw(options, given, max_bytes),
+        Some(Preset::Cs184) => cs184::draw(options, given, max_bytes),
+        // Those of models were refused.
+        _ => document::draw(options, given, max_bytes),
     }
+}
+
+/// Says what is odd about the file; an error if the options are strict.
+pub(crate) fn tell(options: &RenderOptions, warnings: &[String]) -> Result<(), Failure> {
+    let (terminal, path) = (Terminal::detect(options.output.quiet), options.models[0].display());
+    for warning in warnings {
+        if options.input.strict {
+            return Err(Failure::work(format!("{path}: {warning} (an error because of --strict)")));
+        }
+        terminal.warning(&format!("{path}: {warning}"));
+    }
+    Ok(())
 }
 
 /// The bytes of a file, or of standard input.

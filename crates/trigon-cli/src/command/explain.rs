@@ -1,21 +1,23 @@
 //! `trigon explain`: a model and a pixel in; the story of the pixel, as text, JSON or a diagram, out.
 
 use super::drawing;
+use super::render::check_kind;
 use super::studio::Studio;
 use crate::failure::Failure;
 use crate::load;
-use crate::options::ExplainOptions;
+use crate::options::{ExplainOptions, Written};
 use crate::output::{Destination, Encoding, Images};
 use crate::story::{to_json, to_picture, to_text};
 use crate::terminal;
 use trigon_scene::render::SceneStory;
 
-pub(crate) fn explain(options: &ExplainOptions) -> Result<(), Failure> {
+pub(crate) fn explain(options: &ExplainOptions, written: &Written) -> Result<(), Failure> {
     let render = &options.render;
     if drawing::is_drawing(&render.models, load::max_file_bytes(&render.input)) {
         let path = render.models[0].display();
         return Err(Failure::usage(format!("{path} is an SVG file; only pixels of models can be explained")));
     }
+    check_kind(false, render, written)?;
     check_pixel(options)?;
     let output = Destination::new(&render.output.output);
     let encoding = Encoding::choose(&render.output, &output)?;

@@ -2,10 +2,10 @@
 //!
 //! While a frame is drawn the one before is encoded, on a thread of its own; no more than these are held.
 
-use super::render::misplaced;
+use super::render::check_kind;
 use super::studio::Studio;
 use crate::failure::Failure;
-use crate::options::TurntableOptions;
+use crate::options::{TurntableOptions, Written};
 use crate::output::{Destination, Encoding, FrameTemplate, Images};
 use crate::progress::Progress;
 use crate::turn::Turn;
@@ -17,9 +17,7 @@ use trigon_image::{AnimationEncoder, EncodeError, Format};
 
 pub(crate) fn turntable(options: &TurntableOptions) -> Result<(), Failure> {
     let render = &options.render;
-    if let Some(preset) = render.preset.preset.filter(|preset| preset.is_for_drawings()) {
-        return Err(misplaced(preset.written(), "SVG pictures", "a turntable shows models"));
-    }
+    check_kind(false, render, &Written::default())?;
     let sink = Sink::choose(options)?;
     let mut studio = Studio::open(render, sink.first_destination(), sink.encoding())?;
     let sink = sink.start(studio.size())?;

@@ -19,31 +19,35 @@ pub(crate) enum Subject {
 /// A picture and what it cost.
 pub(crate) struct Cell {
     pub(crate) images: Images,
-    /// The shortest time of several frames: geometry, tiles and resolve, or for SVG the drawing of the file that was
-    /// read.
+    /// The shortest time of several frames, or of the only one where no times are wanted: geometry, tiles and resolve,
+    /// or for SVG the drawing of the file that was read.
     pub(crate) time: Duration,
 }
 
 /// SVG files are drawn so often.
-const DRAWINGS: usize = 3;
+const DRAWINGS: u32 = 3;
 
-/// Draws one combination; `is_float` makes linear floats instead of bytes, where the subject has them.
-pub(crate) fn draw(subject: Subject, variant: &Variant, is_float: bool) -> Result<Cell, Failure> {
+/// Draws one combination; `is_float` makes linear floats instead of bytes, where the subject has them. Where the time
+/// counts it is drawn several times.
+pub(crate) fn draw(subject: Subject, variant: &Variant, is_float: bool, is_timed: bool) -> Result<Cell, Failure> {
     let options = &variant.options.render;
     if subject == Subject::Drawing {
-        return draw_svg(variant, load::max_file_bytes(&options.input));
+        return draw_svg(variant, load::max_file_bytes(&options.input), if is_timed { DRAWINGS } else { 1 });
     }
     let output = Destination::new(&options.output.output);
     let mut studio = Studio::open(options, &output, &Encoding::in_memory(is_float))?;
     let camera = studio.look(options, None)?;
-    let (images, time) = studio.draw_timed(&camera)?;
+    let (images, time) = studio.draw_timed(&camera, is_timed)?;
     Ok(Cell { images, time })
 }
 
-fn draw_svg(variant: &Variant, max_bytes: u64) -> Result<Cell, Failure> {
+fn draw_svg(variant: &Variant, max_bytes: u64, drawings: u32) -> Result<Cell, Failure> {
     let mut best: Option<Cell> = None;
-    for _ in 0..DRAWINGS {
+    for _ in 0..drawings {
         let drawn = drawing::make(&variant.options, variant.given, max_bytes)?;
+        if best.is_none() {
+            drawing::tell(&variant.options.render, &drawn.warnings)?;
+        }
         let time = best.as_ref().map_or(drawn.draw, |best| best.time.min(drawn.draw));
         best = Some(Cell { images: Images { bytes: Some(drawn.image), floats: None }, time });
     }

@@ -1,6 +1,6 @@
 //! What pictures are measured against: the same view with 64 samples a pixel.
 //!
-//! Models are drawn at twice the width and height (lines, points and outlines twice as wide) with 16 samples a pixel on a grid,
+//! Models are drawn at twice the width and height (lines, points and outlines twice as wide, as far as lines go) with 16 samples a pixel on a grid,
 //! shaded at every sample, with trilinear anisotropic textures (16 points); then the mean of each 2 x 2 pixels is taken in
 //! linear light and encoded. So each pixel is the mean of 64 shaded samples in an 8 x 8 grid. SVG files are drawn at twice
 //! the size with 16 samples on a grid; their mean is taken of encoded, premultiplied colours, as SVG blends.
@@ -55,9 +55,20 @@ impl Reference {
     }
 }
 
-/// Root of the mean square difference over all channels, in codes of 0 to 255; `None` where sizes differ.
+/// Root of the mean square difference over all channels, in codes of 0 to 255; `None` where sizes differ. Colours count
+/// as much as they are seen, times their alpha.
 pub(crate) fn rmse(picture: &Rgba8Image, reference: &Rgba8Image) -> Option<f64> {
-    compare(picture, reference).map(|comparison| comparison.rmse)
+    compare(&premultiplied(picture), &premultiplied(reference)).map(|comparison| comparison.rmse)
+}
+
+fn premultiplied(picture: &Rgba8Image) -> Rgba8Image {
+    let mut picture = picture.clone();
+    for pixel in picture.pixels_mut() {
+        let [r, g, b, a] = pixel.map(u32::from);
+        let seen = |code: u32| u8::try_from((code * a + 127) / 255).unwrap_or(u8::MAX);
+        *pixel = [seen(r), seen(g), seen(b), pixel[3]];
+    }
+    picture
 }
 
 fn make(
@@ -92,10 +103,11 @@ fn make(
     if let Some(outline) = effects.outline() {
         effects.outline_width = Some(Positive(f64::from((2.0 * outline.width_px).min(Outline::MAX_WIDTH))));
     }
-    if subject == Subject::Drawing && large.options.render.preset.preset.is_none() {
+    // Where a size was written it is the frame of both; else the document's own is doubled.
+    if subject == Subject::Drawing && large.options.render.preset.preset.is_none() && !variant.given.size {
         (large.options.svg.width, large.options.svg.height) = (Some(2 * width), None);
     }
-    let images = draw(subject, &large, true)?.images;
+    let images = draw(subject, &large, true, false)?.images;
     let mean = match (images.floats, images.bytes) {
         (Some(floats), _) => halved_linear(&floats, (width, height)),
         (None, Some(bytes)) => halved_encoded(&bytes, (width, height)),
@@ -137,6 +149,13 @@ fn four(width: u32, height: u32, x: u32, y: u32) -> [[u32; 2]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_hardly_seen_hardly_counts() {
+        let [clear, faint] = [[0, 0, 0, 0], [255, 255, 255, 2]].map(|pixel| Rgba8Image::filled(3, 3, pixel));
+        assert!(rmse(&clear, &faint).is_some_and(|difference| difference == 2.0));
+        assert_eq!(rmse(&clear, &Rgba8Image::filled(2, 3, [0; 4])), None);
+    }
 
     #[test]
     fn means_of_models_are_linear_those_of_svg_encoded() {

@@ -1,7 +1,7 @@
 //! The combinations of what is varied, each as the options of a command line.
 
 use crate::failure::Failure;
-use crate::options::{CompareOptions, Given, RenderCommandOptions};
+use crate::options::{CompareOptions, Given, RenderCommandOptions, Written};
 use crate::values::closest;
 use std::ffi::OsString;
 use trigon::target::SamplePattern;
@@ -14,6 +14,7 @@ pub(crate) struct Variant {
     pub(crate) common: Vec<(String, String)>,
     pub(crate) options: RenderCommandOptions,
     pub(crate) given: Given,
+    pub(crate) written: Written,
 }
 
 /// More pictures than anybody looks at.
@@ -50,10 +51,10 @@ impl Variant {
         common: &[(String, String)],
     ) -> Result<Self, Failure> {
         let all: Vec<(String, String)> = values.iter().chain(common).cloned().collect();
-        let (options, given) = CompareOptions::with(arguments, &all).map_err(|error| {
+        let (options, given, written) = CompareOptions::with(arguments, &all).map_err(|error| {
             Failure::Table(format!("{}\nWhat can be varied: {}.\n", error.render(), names().join(", ")))
         })?;
-        Ok(Self { values, common: common.to_vec(), options: options.render, given })
+        Ok(Self { values, common: common.to_vec(), options: options.render, given, written })
     }
 
     /// The same with these values in place of its own.

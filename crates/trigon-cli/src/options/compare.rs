@@ -1,6 +1,6 @@
 //! Options of `trigon compare`: those of a picture, what is varied, and what is shown enlarged.
 
-use super::{Given, RenderCommandOptions, command_line, command_line_for};
+use super::{Given, RenderCommandOptions, Written, command_line, command_line_for};
 use crate::values::{Axis, Inset};
 use clap::{Args, FromArgMatches};
 use std::ffi::OsString;
@@ -52,20 +52,24 @@ impl CompareOptions {
             .collect()
     }
 
-    /// The options of the same command line with other values for some options, by long name; and what was given.
+    /// The options of the same command line with other values for some options, by long name; what was given, and what
+    /// was written that concerns one kind of input only.
     ///
     /// # Errors
     /// A value that its option does not take, in the words of the option table.
-    pub(crate) fn with(arguments: &[OsString], values: &[(String, String)]) -> Result<(Self, Given), clap::Error> {
+    pub(crate) fn with(
+        arguments: &[OsString],
+        values: &[(String, String)],
+    ) -> Result<(Self, Given, Written), clap::Error> {
         let table = command_line_for(arguments).mut_subcommand("compare", |compare| compare.args_override_self(true));
         let end = arguments.iter().position(|argument| argument == "--").unwrap_or(arguments.len());
         let (before, after) = arguments.split_at(end);
         let written = values.iter().map(|(name, value)| OsString::from(format!("--{name}={value}")));
         let all: Vec<OsString> = before.iter().cloned().chain(written).chain(after.iter().cloned()).collect();
         let matches = table.try_get_matches_from(all)?;
-        let given = Given::of(&matches);
+        let (given, written) = (Given::of(&matches), Written::of(&matches));
         match matches.subcommand() {
-            Some((_, matches)) => Ok((Self::from_arg_matches(matches)?, given)),
+            Some((_, matches)) => Ok((Self::from_arg_matches(matches)?, given, written)),
             None => Err(clap::Error::new(clap::error::ErrorKind::MissingSubcommand)),
         }
     }
@@ -80,9 +84,11 @@ mod tests {
         let arguments =
             ["trigon", "compare", "--vary=samples=1,4", "--samples", "2", "-o", "a.png", "--vary", "wrap=clamp"];
         let arguments: Vec<OsString> = arguments.iter().chain(&["--", "model.obj"]).map(OsString::from).collect();
-        let (options, given) = CompareOptions::with(&arguments, &[("samples".to_owned(), "4".to_owned())]).unwrap();
+        let (options, given, written) =
+            CompareOptions::with(&arguments, &[("samples".to_owned(), "4".to_owned())]).unwrap();
         assert_eq!((options.axes.len(), options.render.render.picture.samples), (2, 4));
         assert!(given.samples && !given.pattern);
+        assert_eq!((written.for_models, written.for_drawings), (None, None));
     }
 
     #[test]

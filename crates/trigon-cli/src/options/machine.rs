@@ -20,7 +20,7 @@ pub(crate) struct MachineOptions {
 
     /// Give up, with an error, after so many seconds
     ///
-    /// For files of strangers. No output is left behind.
+    /// For files of strangers. No unfinished file is left behind; frames of a turntable that were written stay.
     #[arg(long, value_name = "SECONDS")]
     pub(crate) time_limit: Option<Positive>,
 }

@@ -37,7 +37,8 @@ impl Written {
             if options.value_source(id) != Some(ValueSource::CommandLine) {
                 continue;
             }
-            let heading = option.get_help_heading().unwrap_or_default();
+            // What has no heading is the subcommand's own.
+            let Some(heading) = option.get_help_heading() else { continue };
             let is_for_both = HEADINGS_FOR_BOTH.contains(&heading) || OPTIONS_FOR_BOTH.contains(&id);
             if OPTIONS_FOR_DRAWINGS.contains(&id) {
                 written.for_drawings.get_or_insert_with(|| format!("--{long}"));

@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::options::SvgInputOptions;
-use std::fs;
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 use trigon_image::{Format, Limits, decode};
 use trigon_svg::canvas::{BlendMode, Drawing, Image, ImageFilter, Renderer, Transform};
@@ -17,11 +18,13 @@ pub(crate) fn cover(
     max_bytes: u64,
 ) -> Result<Drawing, Failure> {
     let failure = |problem: String| Failure::work(format!("cannot read the picture {}: {problem}", path.display()));
-    let length = fs::metadata(path).map_err(|error| failure(error.to_string()))?.len();
-    if length > max_bytes {
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(max_bytes.saturating_add(1)).read_to_end(&mut bytes))
+        .map_err(|error| failure(error.to_string()))?;
+    if u64::try_from(bytes.len()).unwrap_or(u64::MAX) > max_bytes {
         return Err(failure(format!("larger than the limit file-size = {max_bytes}")));
     }
-    let bytes = fs::read(path).map_err(|error| failure(error.to_string()))?;
     if is_svg(&bytes) {
         let options = svg_input.to_options(path.parent().map(Path::to_owned), max_bytes);
         let view = View { size: Size::Cover(width, height), ..View::default() };

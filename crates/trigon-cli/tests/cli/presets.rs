@@ -192,11 +192,7 @@ const GAMES101: [(&str, &str, f64); 11] = [
 /// `cargo test -p trigon-cli --test cli games101_agrees -- --nocapture` prints how well each agrees.
 #[test]
 fn games101_agrees_with_pictures_of_the_programs() {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    if !data.is_dir() {
-        println!("SKIPPED: {} does not exist", data.display());
-        return;
-    }
+    let Some(data) = shared_data() else { return };
     let spot = data.join("games101/models/spot/spot_triangulated_good.obj");
     let mut failures = Vec::new();
     for (name, options, wanted) in GAMES101 {
