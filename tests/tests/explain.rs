@@ -11,7 +11,11 @@ use trigon::raster::DepthTest;
 use trigon::resolve::Blend;
 use trigon::target::{SamplePattern, ShadingRate};
 use trigon_scene::load::{LoadOptions, load_path};
-use trigon_scene::render::{AlphaMode, RenderSettings, SceneRenderer, ShaderKind, Wireframe};
+use trigon_scene::render::course::games101::Homework3;
+use trigon_scene::render::course::tinyrenderer::Lesson;
+use trigon_scene::render::{
+    AlphaMode, AmbientOcclusion, RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe,
+};
 use trigon_scene::scene::{Framing, Scene};
 use trigon_tests::corpus::soup;
 use trigon_tests::frames::plain_options;
@@ -68,6 +72,9 @@ fn stories_of_scenes_end_with_the_pictures_pixels() {
         ShaderKind::Coverage,
         ShaderKind::Flat,
         ShaderKind::Normal,
+        ShaderKind::Toon,
+        ShaderKind::Tinyrenderer(Lesson::Final),
+        ShaderKind::Games101(Homework3::Phong),
     ];
     for (name, seed) in [("cube", 1), ("teapot", 2), ("still-life", 3)] {
         let scene = asset(name);
@@ -77,6 +84,8 @@ fn stories_of_scenes_end_with_the_pictures_pixels() {
             settings.sampling.max_anisotropy = [1, 8, 16][i % 3];
             settings.alpha = [AlphaMode::Auto, AlphaMode::Blend][i % 2];
             settings.wireframe = (i % 5 == 4).then(Wireframe::default);
+            settings.shadows = (i % 3 == 1).then(|| Shadows { map_size: 200, ..Shadows::default() });
+            settings.ambient_occlusion = (i % 4 == 2).then(AmbientOcclusion::default);
             check_scene(&scene, &settings, seed * 100 + i as u64, 30, &mut seen);
         }
     }

@@ -10,6 +10,7 @@ use trigon::shade::Interpolation;
 use trigon::target::{ColorSpace, ShadingRate};
 use trigon_scene::load::{LoadOptions, MemoryResolver, load_bytes};
 use trigon_scene::render::course::games101::Homework3;
+use trigon_scene::render::course::tinyrenderer::Lesson;
 use trigon_scene::render::{AmbientOcclusion, Outline, RenderSettings, SceneRenderer, ShaderKind, Shadows, Wireframe};
 use trigon_scene::scene::{
     Camera, Displacement, Framing, Light, LightKind, Projection, Scene, Texture, TextureId, TextureRef,
@@ -82,7 +83,6 @@ pub(super) fn frames() -> Vec<NamedFrame> {
 
     let encoded = RenderSettings { color_space: ColorSpace::Encoded, ..small };
     let affine = RenderSettings { interpolation: Interpolation::Affine, ..small };
-    let relief = RenderSettings { shader: ShaderKind::Games101(Homework3::Displacement), ..small };
 
     let mut shadows = small;
     // Large enough for several threads.
@@ -111,18 +111,35 @@ pub(super) fn frames() -> Vec<NamedFrame> {
         frame("wireframe", &Rc::new(load(CUBE)), &wireframe),
         frame("encoded-colours", &Rc::new(load(STROKES)), &encoded),
         frame("affine-interpolation", &Rc::new(load(CUBE)), &affine),
-        frame("games101-relief", &Rc::new(with_heights(load(CUBE))), &relief),
         frame("ply-strokes", &Rc::new(load(STROKES)), &small),
         frame("stl-facets", &Rc::new(load(TETRAHEDRON)), &small),
     ];
     let (cube, teapot) = (Rc::new(cube), Rc::new(teapot));
-    // Without maps for what glows and for heights these shaders are others: no frames of their own.
-    let has_frame = |shader: &ShaderKind| !["tinyrenderer-glow", "games101-displacement"].contains(&shader.name());
-    for shader in ShaderKind::ALL.into_iter().filter(has_frame) {
-        let scene = if matches!(shader, ShaderKind::MipLevel | ShaderKind::Uv) { &cube } else { &teapot };
+    let (maps, heights) = (Rc::new(glowing(load(STILL_LIFE))), Rc::new(with_heights(load(CUBE))));
+    let is_relief = |shading| matches!(shading, Homework3::Bump | Homework3::Displacement);
+    for shader in ShaderKind::ALL {
+        let scene = match shader {
+            ShaderKind::MipLevel | ShaderKind::Uv => &cube,
+            ShaderKind::Tinyrenderer(_) => &maps,
+            ShaderKind::Games101(shading) if is_relief(shading) => &heights,
+            _ => &teapot,
+        };
         frames.push(frame(&format!("shader-{shader}"), scene, &RenderSettings { shader, ..small }));
     }
+    // Where some lanes are in shadow and some are on the far side of the light.
+    for shader in [ShaderKind::Tinyrenderer(Lesson::Final), ShaderKind::Games101(Homework3::Phong), ShaderKind::Toon] {
+        let settings = RenderSettings { shader, ..shadows };
+        frames.push(frame(&format!("shadows-{shader}"), &lit, &settings).large());
+    }
     frames
+}
+
+/// Surfaces that give off light where they are light.
+fn glowing(mut scene: Scene) -> Scene {
+    for material in &mut scene.materials {
+        material.maps.emissive = material.maps.diffuse.clone();
+    }
+    scene
 }
 
 fn load((name, bytes): (&str, &[u8])) -> Scene {

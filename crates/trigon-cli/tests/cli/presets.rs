@@ -88,7 +88,7 @@ fn presets_are_about_models_or_about_pictures() {
     let folder = folder().with("a.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>");
     folder.run("a.svg --preset tinyrenderer -o b.png").misuses_with(&["--preset tinyrenderer", "SVG picture"]);
     folder.run("a.obj --preset cs184 -o b.png").misuses_with(&["--preset cs184", "model"]);
-    folder.run("turntable a.obj --preset cs184 -o b.gif").misuses_with(&["--preset cs184", "models"]);
+    folder.run("turntable a.obj --preset cs184 -o b.gif").misuses_with(&["--preset cs184", "model"]);
     folder.run("a.obj --preset tinyrenderer --view 0,0,5 -o b.png").misuses_with(&["--view"]);
 }
 

@@ -79,8 +79,7 @@ pub(super) fn list<'f>(
     frame: &'f FrameUniforms,
 ) -> Vec<Item<'f>> {
     let mut items = Vec::with_capacity(pieces.len() + blended.len());
-    let shows_surface = settings.wireframe.is_none_or(|w| w.surface || !w.hidden_lines);
-    for piece in pieces.iter().filter(|piece| shows_surface && !piece.is_blended(settings)) {
+    for piece in pieces.iter().filter(|piece| settings.draws_surfaces() && !piece.is_blended(settings)) {
         items.extend(piece.triangles(settings, frame));
     }
     for piece in pieces.iter().filter(|piece| !piece.is_blended(settings)) {
@@ -212,7 +211,7 @@ impl Piece<'_> {
     }
 
     /// A mirroring transform turns the winding around.
-    fn cull(&self, cull: Cull) -> Cull {
+    pub(super) fn cull(&self, cull: Cull) -> Cull {
         match cull {
             Cull::Back if self.facts.is_mirrored(self.instance) => Cull::Front,
             Cull::Front if self.facts.is_mirrored(self.instance) => Cull::Back,

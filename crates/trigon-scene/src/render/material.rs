@@ -7,6 +7,7 @@
 //! show them so. Above 1 (emission) a value is taken as it is.
 
 use super::course::games101::Homework3;
+use super::course::tinyrenderer::Lesson;
 use super::settings::{AlphaMode, RenderSettings};
 use super::shader_kind::ShaderKind;
 use super::texture_cache::TextureCache;
@@ -152,7 +153,7 @@ impl Needs {
     /// The textures that `material` needs.
     pub(super) fn requests<'m>(&self, material: &'m Material) -> Vec<Request<'m>> {
         match self.shader {
-            ShaderKind::Tinyrenderer(_) => return stored_values(material),
+            ShaderKind::Tinyrenderer(lesson) => return stored_values(material, lesson),
             ShaderKind::Games101(shading) => return its_picture(material, shading).into_iter().collect(),
             _ => {}
         }
@@ -175,7 +176,9 @@ impl Needs {
         };
         let shows_diffuse = self.shader.shows_materials() || self.shader == ShaderKind::MipLevel;
         add(Slot::Diffuse, shows_diffuse || has_alpha, maps.diffuse.as_ref().map(|map| (map, color)));
-        add(Slot::Ambient, is_lit && self.has_ambient_light && material.ambient != [0.0; 3], opaque(&maps.ambient));
+        // Toon shading knows one colour of a surface.
+        let has_ambient = is_lit && self.has_ambient_light && self.shader != ShaderKind::Toon;
+        add(Slot::Ambient, has_ambient && material.ambient != [0.0; 3], opaque(&maps.ambient));
         add(Slot::Specular, shines, opaque(&maps.specular));
         add(Slot::Exponent, shines, scalar(&maps.specular_exponent, ScalarSource::Luminance));
         let glows = self.is_lit() && material.emissive != [0.0; 3];
@@ -191,19 +194,20 @@ impl Needs {
     }
 }
 
-/// For shaders that count in bytes: maps as they are stored, without a transfer function. Gloss is one channel: the blue
-/// one, the first in the files of the course.
-fn stored_values(material: &Material) -> Vec<Request<'_>> {
+/// The maps of a lesson of tinyrenderer, which counts in bytes: as they are stored, without a transfer function. Gloss is
+/// one channel: the blue one, the first in the files of the course.
+fn stored_values(material: &Material, lesson: Lesson) -> Vec<Request<'_>> {
     let maps = &material.maps;
     let requests = [
-        (Slot::Diffuse, &maps.diffuse, Usage::Vector),
-        (Slot::Normal, &maps.normal, Usage::Vector),
-        (Slot::Specular, &maps.specular, Usage::Scalar(ScalarSource::Blue)),
-        (Slot::Emissive, &maps.emissive, Usage::Vector),
+        (Slot::Diffuse, lesson.has_colors(), &maps.diffuse, Usage::Vector),
+        (Slot::Normal, lesson.is_bent(), &maps.normal, Usage::Vector),
+        (Slot::Specular, lesson.has_colors(), &maps.specular, Usage::Scalar(ScalarSource::Blue)),
+        (Slot::Emissive, lesson == Lesson::Glow, &maps.emissive, Usage::Vector),
     ];
     requests
         .into_iter()
-        .filter_map(|(slot, map, usage)| map.as_ref().map(|map| Request { slot, map, usage, is_inverted: false }))
+        .filter(|(_, is_read, ..)| *is_read)
+        .filter_map(|(slot, _, map, usage)| map.as_ref().map(|map| Request { slot, map, usage, is_inverted: false }))
         .collect()
 }
 

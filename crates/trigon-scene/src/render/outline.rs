@@ -34,9 +34,6 @@ pub(super) fn scale(settings: &RenderSettings) -> u32 {
 
 /// Draws the outlines of `shapes`, which are `scale` times as large as the picture.
 pub(super) fn draw(picture: &mut Picture, shapes: &Shapes, scale: u32, outline: &Outline, options: RendererOptions) {
-    if picture.color.is_none() && picture.color_f32.is_none() {
-        return;
-    }
     let mut edges = vec![0_u8; shapes.objects.len()];
     each_band(options, shapes.width, &mut edges, |y, rows| {
         options.simd.run(Edges { shapes, scale, threshold: outline.threshold, y, rows });

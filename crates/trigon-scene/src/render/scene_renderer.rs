@@ -104,10 +104,10 @@ impl SceneRenderer {
         let (mut statistics, passes) = self.with_draws(renderer, scene, camera, settings, |renderer, made| {
             let mut statistics = renderer.render(&frame(settings), made.draws, picture)?;
             finish(picture, settings, made.items);
-            if let Some(outline) = settings.outline {
+            if let Some(outline) = settings.shown_outline() {
                 let scale = outline::scale(settings);
                 let size = [settings.width * scale, settings.height * scale];
-                let (shapes, times) = Shapes::draw(renderer, made.pieces, camera, made.uniforms, size)?;
+                let (shapes, times) = Shapes::draw(renderer, made.pieces, camera, made.uniforms, settings, size)?;
                 outline::draw(picture, &shapes, scale, &outline, renderer.options());
                 add_times(&mut statistics, &times);
             }
@@ -167,7 +167,7 @@ impl SceneRenderer {
         }
         if let Some(occlusion) = settings.shown_occlusion() {
             let size = [settings.width, settings.height];
-            let (shapes, times) = Shapes::draw(renderer, &pieces, camera, &uniforms, size)?;
+            let (shapes, times) = Shapes::draw(renderer, &pieces, camera, &uniforms, settings, size)?;
             let radius = scene.bounding_box().radius();
             uniforms.occlusion = Some(OcclusionMap::new(&shapes, &occlusion, radius, renderer.options()));
             add_times(&mut passes, &times);

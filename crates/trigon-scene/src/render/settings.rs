@@ -94,6 +94,16 @@ impl RenderSettings {
         (self.outputs.color || self.outputs.color_f32) && self.shader.is_lit()
     }
 
+    /// Whether surfaces are drawn, be it to hide the lines behind them.
+    pub(super) fn draws_surfaces(&self) -> bool {
+        self.wireframe.is_none_or(|wireframe| wireframe.surface || !wireframe.hidden_lines)
+    }
+
+    /// The outlines that the colours show.
+    pub(super) fn shown_outline(&self) -> Option<Outline> {
+        self.outline.filter(|_| self.outputs.color || self.outputs.color_f32)
+    }
+
     /// The occlusion that the colours depend on.
     pub(super) fn shown_occlusion(&self) -> Option<AmbientOcclusion> {
         if self.shader == ShaderKind::Occlusion && (self.outputs.color || self.outputs.color_f32) {

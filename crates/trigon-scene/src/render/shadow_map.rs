@@ -147,9 +147,10 @@ impl ShadowMap {
     }
 }
 
-/// Softness within its range; NaN is hard.
+/// Softness within its range; NaN is hard. So is a radius that would be lost when it is added to a place on the map.
 fn radius(settings: &Shadows) -> f32 {
-    if settings.softness > 0.0 { settings.softness.min(Shadows::MAX_SOFTNESS) } else { 0.0 }
+    const LEAST: f32 = 1.0 / 16.0;
+    if settings.softness >= LEAST { settings.softness.min(Shadows::MAX_SOFTNESS) } else { 0.0 }
 }
 
 /// The cameras that see what the light reaches.

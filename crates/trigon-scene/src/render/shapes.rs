@@ -7,6 +7,7 @@
 use super::draws::Piece;
 use super::error::RenderError;
 use super::frame::FrameUniforms;
+use super::settings::RenderSettings;
 use super::shaders::Shape;
 use crate::math::vec3;
 use crate::scene::{Camera, Projection};
@@ -37,21 +38,24 @@ pub(super) const NOWHERE: f32 = 1e18;
 const BAND: usize = 16;
 
 impl Shapes {
-    /// Draws what `camera` sees of `pieces`, one sample in the middle of each pixel.
+    /// Draws what `camera` sees of `pieces`, one sample in the middle of each pixel, without what the settings leave out.
     pub(super) fn draw(
         renderer: &mut Renderer,
         pieces: &[Piece<'_>],
         camera: &Camera,
         frame: &FrameUniforms,
+        settings: &RenderSettings,
         [width, height]: [u32; 2],
     ) -> Result<(Self, FrameStatistics), RenderError> {
         let shapes: Vec<Shape<'_>> =
             pieces.iter().map(|piece| piece.shape(&frame.clip_from_world, frame.eye)).collect();
-        let draws: Vec<Draw<'_>> = pieces
-            .iter()
-            .zip(&shapes)
-            .filter_map(|(piece, shape)| Some(Draw { object: piece.object, ..Draw::new(shape, piece.surfaces()?) }))
-            .collect();
+        let draw = |(piece, shape)| -> Option<Draw<'_>> {
+            let (piece, shape): (&Piece<'_>, &Shape<'_>) = (piece, shape);
+            let cull = piece.cull(settings.cull);
+            Some(Draw { object: piece.object, cull, ..Draw::new(shape, piece.surfaces()?) })
+        };
+        let shown = if settings.draws_surfaces() { pieces } else { &[] };
+        let draws: Vec<Draw<'_>> = shown.iter().zip(&shapes).filter_map(draw).collect();
         let outputs = Outputs { position: true, normal: true, object: true, ..Outputs::NONE };
         let mut picture = Picture::default();
         let statistics = renderer.render(&Frame { outputs, ..Frame::new(width, height) }, &draws, &mut picture)?;

@@ -7,9 +7,9 @@ use super::tinyrenderer::{self, Lesson};
 use crate::load::{Resolver, Warning};
 use crate::scene::{Illumination, Scene};
 
-/// Dresses `scene`, unless one of its materials has a picture; see [`tinyrenderer::dress`] for names and warnings.
+/// Dresses `scene`, unless it has a material of its own; see [`tinyrenderer::dress`] for names and warnings.
 pub fn dress(scene: &mut Scene, model: &str, resolver: &dyn Resolver, max_bytes: u64) -> Vec<Warning> {
-    if scene.materials.iter().any(|material| material.maps.diffuse.is_some()) {
+    if scene.materials.iter().any(|material| !material.is_neutral()) {
         return Vec::new();
     }
     let warnings = tinyrenderer::dress(scene, model, Lesson::Final, resolver, max_bytes);

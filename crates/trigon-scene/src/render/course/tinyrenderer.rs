@@ -66,6 +66,11 @@ impl Lesson {
         matches!(self, Self::Final | Self::TangentNormals | Self::Glow)
     }
 
+    /// Whether normals come from vertices and maps; the others have one for each triangle.
+    pub(in crate::render) fn is_bent(self) -> bool {
+        !matches!(self, Self::Flat | Self::Phong)
+    }
+
     /// The end of the name of its normal map.
     fn normal_map(self) -> &'static str {
         if self == Self::ObjectNormals { "_nm.tga" } else { "_nm_tangent.tga" }
@@ -141,9 +146,8 @@ pub fn dress(scene: &mut Scene, model: &str, lesson: Lesson, resolver: &dyn Reso
     let mut find = |end: &str, is_needed: bool| {
         if is_needed { finder.find(scene, &format!("{stem}{end}")) } else { None }
     };
-    let is_bent = !matches!(lesson, Lesson::Flat | Lesson::Phong);
     let diffuse = find("_diffuse.tga", lesson.has_colors() && !has_diffuse);
-    let normal = find(lesson.normal_map(), is_bent && !has_normal);
+    let normal = find(lesson.normal_map(), lesson.is_bent() && !has_normal);
     let specular = find("_spec.tga", lesson.has_colors() && !has_specular);
     let emissive = find("_glow.tga", lesson == Lesson::Glow && !has_emissive);
     if scene.materials.is_empty() {

@@ -11,7 +11,7 @@ use trigon::lanes::{F32, Lanes, Vec2, Vec3};
 /// What is in the way of light.
 pub(super) trait Obstacles<L: Lanes> {
     /// The part of `strength` that gets from `source` to `point`. `cosine` is that of the angle to the normal: where it
-    /// is not positive nothing is asked, as the light does not count there.
+    /// is not positive the light does not count, and all of `strength` is returned.
     fn pass(
         &self,
         l: L,
@@ -40,7 +40,11 @@ impl<L: Lanes> Effects<L> {
     #[inline(always)]
     pub(super) fn new(l: L, occlusion: Option<&OcclusionMap>, pixel: Vec2<L>, point: &SurfacePoint<L>) -> Self {
         match occlusion {
-            Some(map) => Self { openness: Some(map.openness(l, pixel, point.position)) },
+            Some(map) => {
+                let openness = map.openness(l, pixel, point.position);
+                l.note("openness", openness);
+                Self { openness: Some(openness) }
+            }
             None => Self { openness: None },
         }
     }
@@ -70,10 +74,14 @@ impl<L: Lanes> Obstacles<L> for Effects<L> {
         strength: F32<L>,
     ) -> F32<L> {
         let Some(map) = &source.shadow else { return strength };
-        if !(cosine.gt(0.0) & strength.gt(0.0)).any() {
+        // By lane: what a fragment gets must not depend on its neighbours.
+        let counts = cosine.gt(0.0) & strength.gt(0.0);
+        if !counts.any() {
             return strength;
         }
-        strength * map.visibility(l, point, source.place, to_light)
+        let visibility = map.visibility(l, point, source.place, to_light);
+        l.note("part that the shadow map lets through", visibility);
+        counts.select(strength * visibility, strength)
     }
 
     #[inline(always)]

@@ -87,7 +87,8 @@ impl ShadowMap {
         let (column, row) = (x.to_i32_within(0.0, last).as_u32(), y.to_i32_within(0.0, last).as_u32());
         let stored = (row * l.u32(self.size) + column).gather_f32(depths);
         let (right, down) = ((x + 0.5) - receiver.at.x, (y + 0.5) - receiver.at.y);
-        let surface = receiver.depth + (receiver.slope.x * right + receiver.slope.y * down);
+        // Nothing is farther away than what an empty texel holds.
+        let surface = (receiver.depth + (receiver.slope.x * right + receiver.slope.y * down)).max(0.0);
         stored.le(surface).select(weight, l.f32(0.0))
     }
 

@@ -43,6 +43,8 @@ impl Lit<'_> {
         let brightness = luminance(light).max(1e-6);
         let root = brightness.sqrt();
         let step = stepped(l, root, self.frame.toon_levels);
+        l.note("brightness", brightness);
+        l.note("its step", step * step);
         if shines {
             let highlight = rise(luminance(specular), 0.5);
             other += (l.vec3(surface.specular) * factors.get(Slot::Specular).rgb()) * highlight;

@@ -123,7 +123,8 @@ impl<'a> Games101<'a> {
         for source in &lighting.sources {
             let (to_light, strength) = source.reach(l, place);
             let cosine = n.dot(to_light);
-            let strength = effects.pass(l, source, point, to_light, cosine, strength);
+            // The highlight of the course counts on both sides of a surface, and so does a shadow.
+            let strength = effects.pass(l, source, point, to_light, l.f32(1.0), strength);
             let half = (to_light + to_viewer).normalize();
             let highlight = exp2(log2(n.dot(half).clamp(0.0, 1.0)) * self.surface.exponent);
             let light = l.vec3(source.color) * strength;

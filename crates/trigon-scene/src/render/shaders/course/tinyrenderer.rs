@@ -21,7 +21,8 @@ use crate::render::shaders::obstacles::{Effects, Obstacles};
 use crate::render::shaders::point::SurfacePoint;
 use crate::render::shaders::vertex::{MeshView, Plain, PlainVarying};
 use crate::render::working_space::to_display;
-use trigon::lanes::{F32, Lanes, Rgba, U32, Vec2, Vec3};
+use trigon::lanes::{Lanes, Rgba, U32, Vec2, Vec3};
+use trigon::math::powi;
 use trigon::shade::{Fragment, Shader, SurfaceLanes, Vertex};
 
 /// Draws one material on one mesh.
@@ -94,8 +95,9 @@ impl<'a> Tinyrenderer<'a> {
             let mirrored = n * (cosine * 2.0) - to_light;
             let towards_viewer = mirrored.dot(l.vec3(self.frame.against_view)).max(0.0);
             light += cosine.max(0.0) * self.weights.diffuse;
-            light += (gloss * self.weights.gloss + self.weights.specular) * power_35(towards_viewer);
-            shown = effects.pass(l, source, point, to_light, cosine, shown);
+            light += (gloss * self.weights.gloss + self.weights.specular) * powi(towards_viewer, 35);
+            // A shadow darkens both sides of a surface.
+            shown = effects.pass(l, source, point, to_light, l.f32(1.0), shown);
         }
         let mut bytes = (texel * 255.0) * light;
         if self.lesson == Lesson::Glow {
@@ -113,7 +115,7 @@ impl<'a> Tinyrenderer<'a> {
     fn normal<L: Lanes>(&self, l: L, point: &SurfacePoint<L>) -> Vec3<L> {
         let face = point.dx.cross(point.dy);
         let face = unit(face.dot(point.to_eye).lt(0.0).select(-face, face));
-        if matches!(self.lesson, Lesson::Flat | Lesson::Phong) {
+        if !self.lesson.is_bent() {
             return face;
         }
         let length_squared = point.normal.dot(point.normal);
@@ -170,16 +172,6 @@ fn unit<L: Lanes>(v: Vec3<L>) -> Vec3<L> {
     let largest = v.x.abs().max(v.y.abs()).max(v.z.abs()).max(f32::MIN_POSITIVE);
     let v = v * (1.0 / largest);
     v * (1.0 / v.dot(v).max(f32::MIN_POSITIVE).sqrt())
-}
-
-/// x^35 by squaring: 35 = 32 + 2 + 1.
-#[inline(always)]
-fn power_35<L: Lanes>(x: F32<L>) -> F32<L> {
-    let x2 = x * x;
-    let x4 = x2 * x2;
-    let x8 = x4 * x4;
-    let x16 = x8 * x8;
-    (x16 * x16) * (x2 * x)
 }
 
 impl Shader for Tinyrenderer<'_> {
