@@ -8,12 +8,12 @@ TARGET=aarch64-unknown-linux-gnu
 export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc
 EMULATOR=(qemu-aarch64 -L /usr/aarch64-linux-gnu)
 
-aarch64_hashes() { # $1 is the SIMD level.
-    TRIGON_SIMD=$1 "${EMULATOR[@]}" "$TARGET_DIR/$TARGET/debug/frame-hashes" >"$HASHES/aarch64-$1"
-    compare_hashes "aarch64-$1"
+run_program() { # $1 is the SIMD level.
+    TRIGON_SIMD=$1 "${EMULATOR[@]}" "$TARGET_DIR/$TARGET/debug/frame-hashes" >"$HASHES/$1"
 }
 
 native_hashes
 cargo build --profile test --package trigon-tests --bin frame-hashes --target "$TARGET"
-aarch64_hashes neon
-aarch64_hashes scalar
+both run_program neon scalar
+compare_hashes neon
+compare_hashes scalar

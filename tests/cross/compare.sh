@@ -1,6 +1,7 @@
 # Sourced by wasm.sh and aarch64.sh: builds the corpus for this machine and for another, and compares what they print.
 #
-# The profile is that of the tests, which have built the native program already when all of .ci/run is run.
+# The native program is built as the tests are, whole workspace and all: built alone, its dependencies would have other
+# features, and everything would be compiled a second time.
 # shellcheck shell=bash
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -9,7 +10,7 @@ HASHES=$(mktemp -d)
 trap 'rm -rf "$HASHES"' EXIT
 
 native_hashes() { # Writes the list that the others are compared with.
-    cargo build --profile test --package trigon-tests --bin frame-hashes
+    cargo test --quiet --workspace --no-run
     "$TARGET_DIR/debug/frame-hashes" >"$HASHES/native"
     [[ -s $HASHES/native ]] || { echo "FAILED: no frame was drawn"; exit 1; }
 }
@@ -21,4 +22,12 @@ compare_hashes() { # $1 names the list that was made, $HASHES/$1.
         exit 1
     fi
     echo "$1: all $(wc -l <"$HASHES/$1") hashes are those of this machine"
+}
+
+both() { # Runs the function $1 for $2 and for $3, at the same time; fails if either does.
+    "$1" "$2" &
+    local first=$! status=0
+    "$1" "$3" || status=$?
+    wait "$first" || status=$?
+    return "$status"
 }
