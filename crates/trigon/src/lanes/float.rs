@@ -3,7 +3,7 @@
 //! Every operation here rounds once, to nearest even, or not at all, on every target (IEEE 754-2019, section 5.4);
 //! minimum, maximum and conversion to integers are defined as comparisons, so that NaN and -0 behave alike too.
 
-use super::token::is_plain;
+use super::plain::lane_op;
 use super::{I32, LANES, Lanes, Mask, U32};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use fearless_simd::{Bytes, SimdBase, SimdFloat, f32x16};
@@ -34,25 +34,29 @@ impl<L: Lanes> F32<L> {
     /// Clears the sign.
     #[inline(always)]
     pub fn abs(self) -> Self {
-        if is_plain(self.token()) { plain::abs(self) } else { Self(self.0.abs()) }
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>) -> F32<L> = F32(a.0.abs()))
     }
 
     /// The square root, correctly rounded; NaN for negative values.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        if is_plain(self.token()) { plain::sqrt(self) } else { Self(self.0.sqrt()) }
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>) -> F32<L> = F32(a.0.sqrt()))
     }
 
     /// The largest integer not above.
     #[inline(always)]
     pub fn floor(self) -> Self {
-        if is_plain(self.token()) { plain::floor(self) } else { Self(self.0.floor()) }
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>) -> F32<L> = F32(a.0.floor()))
     }
 
     /// The nearest integer; halves go to the even one.
     #[inline(always)]
     pub fn round_ties_even(self) -> Self {
-        if is_plain(self.token()) { plain::round_ties_even(self) } else { Self(self.0.round_ties_even()) }
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>) -> F32<L> = F32(a.0.round_ties_even()))
     }
 
     /// `self < other ? self : other`; so `other` where either is NaN.
@@ -84,60 +88,63 @@ impl<L: Lanes> F32<L> {
     /// Truncates towards zero after a clamp into `low..=high`, which must lie within the `i32` range; NaN becomes `low`.
     #[inline(always)]
     pub fn to_i32_within(self, low: f32, high: f32) -> I32<L> {
-        I32(self.clamp(low, high).0.to_int())
+        self.clamp(low, high).to_i32_in_range()
     }
 
     /// Truncates towards zero. The caller knows that the values are finite and within the `i32` range.
     #[inline(always)]
     pub(crate) fn to_i32_in_range(self) -> I32<L> {
-        I32(self.0.to_int())
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>) -> I32<L> = I32(a.0.to_int()))
     }
 
     /// The bit patterns.
     #[inline(always)]
     pub fn to_bits(self) -> U32<L> {
-        U32(self.0.bitcast())
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>) -> U32<L> = U32(a.0.bitcast()))
     }
 
     /// Per lane `self < other`; false where either is NaN.
     #[inline(always)]
     pub fn lt(self, other: impl IntoF32<L>) -> Mask<L> {
-        let other = other.into_f32(self.token());
-        if is_plain(self.token()) { plain::lt(self, other) } else { Mask(self.0.simd_lt(other.0)) }
+        let (a, b) = (self, other.into_f32(self.token()));
+        lane_op!(a.token(), (a: F32<L>, b: F32<L>) -> Mask<L> = Mask(a.0.simd_lt(b.0)))
     }
 
     /// Per lane `self <= other`; false where either is NaN.
     #[inline(always)]
     pub fn le(self, other: impl IntoF32<L>) -> Mask<L> {
-        let other = other.into_f32(self.token());
-        if is_plain(self.token()) { plain::le(self, other) } else { Mask(self.0.simd_le(other.0)) }
+        let (a, b) = (self, other.into_f32(self.token()));
+        lane_op!(a.token(), (a: F32<L>, b: F32<L>) -> Mask<L> = Mask(a.0.simd_le(b.0)))
     }
 
     /// Per lane `self > other`; false where either is NaN.
     #[inline(always)]
     pub fn gt(self, other: impl IntoF32<L>) -> Mask<L> {
-        let other = other.into_f32(self.token());
-        if is_plain(self.token()) { plain::gt(self, other) } else { Mask(self.0.simd_gt(other.0)) }
+        let (a, b) = (self, other.into_f32(self.token()));
+        lane_op!(a.token(), (a: F32<L>, b: F32<L>) -> Mask<L> = Mask(a.0.simd_gt(b.0)))
     }
 
     /// Per lane `self >= other`; false where either is NaN.
     #[inline(always)]
     pub fn ge(self, other: impl IntoF32<L>) -> Mask<L> {
-        let other = other.into_f32(self.token());
-        if is_plain(self.token()) { plain::ge(self, other) } else { Mask(self.0.simd_ge(other.0)) }
+        let (a, b) = (self, other.into_f32(self.token()));
+        lane_op!(a.token(), (a: F32<L>, b: F32<L>) -> Mask<L> = Mask(a.0.simd_ge(b.0)))
     }
 
     /// Per lane `self == other`; false where either is NaN.
     #[inline(always)]
     pub fn eq(self, other: impl IntoF32<L>) -> Mask<L> {
-        let other = other.into_f32(self.token());
-        if is_plain(self.token()) { plain::eq(self, other) } else { Mask(self.0.simd_eq(other.0)) }
+        let (a, b) = (self, other.into_f32(self.token()));
+        lane_op!(a.token(), (a: F32<L>, b: F32<L>) -> Mask<L> = Mask(a.0.simd_eq(b.0)))
     }
 
     /// `self + t * (other - self)`: `self` at 0.
     #[inline(always)]
     pub fn mix(self, other: Self, t: Self) -> Self {
-        self + t * (other - self)
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>, other: F32<L>, t: F32<L>) -> F32<L> = a + t * (other - a))
     }
 
     /// The smallest of the lanes; they must not hold NaN (the order then does not matter).
@@ -154,40 +161,6 @@ impl<L: Lanes> F32<L> {
             }
         }
         a[0]
-    }
-}
-
-/// The plain level's operations, as functions: inlined, sixteen scalar operations each, they would make its kernels
-/// the slowest of all to compile.
-mod plain {
-    use super::{F32, Lanes, Mask};
-    use fearless_simd::{SimdBase, SimdFloat};
-
-    macro_rules! functions {
-        ($($name:ident($($arg:ident),+) -> $out:ident = $body:expr;)+) => {
-            $(
-                #[inline(never)]
-                pub(super) fn $name<L: Lanes>($($arg: F32<L>),+) -> $out<L> {
-                    $out($body)
-                }
-            )+
-        };
-    }
-
-    functions! {
-        add(a, b) -> F32 = a.0 + b.0;
-        sub(a, b) -> F32 = a.0 - b.0;
-        mul(a, b) -> F32 = a.0 * b.0;
-        div(a, b) -> F32 = a.0 / b.0;
-        sqrt(a) -> F32 = a.0.sqrt();
-        floor(a) -> F32 = a.0.floor();
-        round_ties_even(a) -> F32 = a.0.round_ties_even();
-        abs(a) -> F32 = a.0.abs();
-        lt(a, b) -> Mask = a.0.simd_lt(b.0);
-        le(a, b) -> Mask = a.0.simd_le(b.0);
-        gt(a, b) -> Mask = a.0.simd_gt(b.0);
-        ge(a, b) -> Mask = a.0.simd_ge(b.0);
-        eq(a, b) -> Mask = a.0.simd_eq(b.0);
     }
 }
 
@@ -224,7 +197,8 @@ macro_rules! operator {
             type Output = Self;
             #[inline(always)]
             fn $method(self, rhs: Self) -> Self {
-                if is_plain(self.token()) { plain::$method(self, rhs) } else { Self(self.0 $symbol rhs.0) }
+                let (a, b) = (self, rhs);
+                lane_op!(a.token(), (a: F32<L>, b: F32<L>) -> F32<L> = F32(a.0 $symbol b.0))
             }
         }
 
@@ -255,7 +229,8 @@ impl<L: Lanes> Neg for F32<L> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(-self.0)
+        let a = self;
+        lane_op!(a.token(), (a: F32<L>) -> F32<L> = F32(-a.0))
     }
 }
 

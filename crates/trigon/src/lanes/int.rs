@@ -1,6 +1,6 @@
 //! Sixteen `i32` or `u32` values; arithmetic wraps on every target.
 
-use super::token::is_plain;
+use super::plain::lane_op;
 use super::{F32, LANES, Lanes, Mask};
 use core::ops::{Add, AddAssign, BitAnd, BitOr, BitXor, Mul, Neg, Shl, Shr, Sub};
 use fearless_simd::{Bytes, SimdBase, SimdInt, i32x16, u32x16};
@@ -37,69 +37,57 @@ macro_rules! integer {
             /// The smaller of the two, per lane.
             #[inline(always)]
             pub fn min(self, other: Self) -> Self {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> $name<L> {
-                    $name(a.0.min(b.0))
-                }
-                if is_plain(self.token()) { plain(self, other) } else { Self(self.0.min(other.0)) }
+                let (a, b) = (self, other);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> $name<L> = $name(a.0.min(b.0)))
             }
 
             /// The larger of the two, per lane.
             #[inline(always)]
             pub fn max(self, other: Self) -> Self {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> $name<L> {
-                    $name(a.0.max(b.0))
-                }
-                if is_plain(self.token()) { plain(self, other) } else { Self(self.0.max(other.0)) }
+                let (a, b) = (self, other);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> $name<L> = $name(a.0.max(b.0)))
             }
 
             /// Per lane `self < other`.
             #[inline(always)]
             pub fn lt(self, other: Self) -> Mask<L> {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> Mask<L> {
-                    Mask(a.0.simd_lt(b.0))
-                }
-                if is_plain(self.token()) { plain(self, other) } else { Mask(self.0.simd_lt(other.0)) }
+                let (a, b) = (self, other);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> Mask<L> = Mask(a.0.simd_lt(b.0)))
             }
 
             /// Per lane `self >= other`.
             #[inline(always)]
             pub fn ge(self, other: Self) -> Mask<L> {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> Mask<L> {
-                    Mask(a.0.simd_ge(b.0))
-                }
-                if is_plain(self.token()) { plain(self, other) } else { Mask(self.0.simd_ge(other.0)) }
+                let (a, b) = (self, other);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> Mask<L> = Mask(a.0.simd_ge(b.0)))
             }
 
             /// Per lane `self == other`.
             #[inline(always)]
             pub fn eq(self, other: Self) -> Mask<L> {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> Mask<L> {
-                    Mask(a.0.simd_eq(b.0))
-                }
-                if is_plain(self.token()) { plain(self, other) } else { Mask(self.0.simd_eq(other.0)) }
+                let (a, b) = (self, other);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> Mask<L> = Mask(a.0.simd_eq(b.0)))
             }
 
             /// The nearest floats; exact up to 2^24.
             #[inline(always)]
             pub fn to_f32(self) -> F32<L> {
-                F32(self.0.to_float())
+                let a = self;
+                lane_op!(a.token(), (a: $name<L>) -> F32<L> = F32(a.0.to_float()))
             }
 
             /// Shifts each lane left by its own count, 0..32.
             #[inline(always)]
             pub fn shl_lanes(self, counts: Self) -> Self {
-                Self(self.0 << counts.0)
+                let (a, b) = (self, counts);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> $name<L> = $name(a.0 << b.0))
             }
 
             /// Shifts each lane right by its own count, 0..32.
             #[inline(always)]
             pub fn shr_lanes(self, counts: Self) -> Self {
-                Self(self.0 >> counts.0)
+                let (a, b) = (self, counts);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> $name<L> = $name(a.0 >> b.0))
             }
         }
 
@@ -121,11 +109,8 @@ macro_rules! integer {
             type Output = Self;
             #[inline(always)]
             fn shl(self, bits: u32) -> Self {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, bits: u32) -> $name<L> {
-                    $name(a.0 << bits)
-                }
-                if is_plain(self.token()) { plain(self, bits) } else { Self(self.0 << bits) }
+                let a = self;
+                lane_op!(a.token(), (a: $name<L>, bits: u32) -> $name<L> = $name(a.0 << bits))
             }
         }
 
@@ -133,11 +118,8 @@ macro_rules! integer {
             type Output = Self;
             #[inline(always)]
             fn shr(self, bits: u32) -> Self {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, bits: u32) -> $name<L> {
-                    $name(a.0 >> bits)
-                }
-                if is_plain(self.token()) { plain(self, bits) } else { Self(self.0 >> bits) }
+                let a = self;
+                lane_op!(a.token(), (a: $name<L>, bits: u32) -> $name<L> = $name(a.0 >> bits))
             }
         }
     };
@@ -146,11 +128,8 @@ macro_rules! integer {
             type Output = Self;
             #[inline(always)]
             fn $method(self, rhs: Self) -> Self {
-                #[inline(never)]
-                fn plain<L: Lanes>(a: $name<L>, b: $name<L>) -> $name<L> {
-                    $name(a.0 $symbol b.0)
-                }
-                if is_plain(self.token()) { plain(self, rhs) } else { Self(self.0 $symbol rhs.0) }
+                let (a, b) = (self, rhs);
+                lane_op!(a.token(), (a: $name<L>, b: $name<L>) -> $name<L> = $name(a.0 $symbol b.0))
             }
         }
     };
@@ -163,7 +142,8 @@ impl<L: Lanes> I32<L> {
     /// The same bits, read as unsigned.
     #[inline(always)]
     pub fn as_u32(self) -> U32<L> {
-        U32(self.0.bitcast())
+        let a = self;
+        lane_op!(a.token(), (a: I32<L>) -> U32<L> = U32(a.0.bitcast()))
     }
 }
 
@@ -171,13 +151,15 @@ impl<L: Lanes> U32<L> {
     /// The same bits, read as signed.
     #[inline(always)]
     pub fn as_i32(self) -> I32<L> {
-        I32(self.0.bitcast())
+        let a = self;
+        lane_op!(a.token(), (a: U32<L>) -> I32<L> = I32(a.0.bitcast()))
     }
 
     /// The floats with these bit patterns.
     #[inline(always)]
     pub fn as_f32_bits(self) -> F32<L> {
-        F32(self.0.bitcast())
+        let a = self;
+        lane_op!(a.token(), (a: U32<L>) -> F32<L> = F32(a.0.bitcast()))
     }
 }
 
@@ -185,6 +167,7 @@ impl<L: Lanes> Neg for I32<L> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(-self.0)
+        let a = self;
+        lane_op!(a.token(), (a: I32<L>) -> I32<L> = I32(-a.0))
     }
 }

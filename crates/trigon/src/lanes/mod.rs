@@ -16,6 +16,7 @@ mod int;
 mod level;
 mod mask;
 mod noted;
+mod plain;
 mod records;
 mod stream;
 mod token;

@@ -4,6 +4,7 @@
 //! sixteen triangles has a register of its own. Eight permutations turn the one into the other, where fetching lane by
 //! lane takes sixty-four loads and as many stores.
 
+use super::plain::lane_op;
 use super::{F32, LANES, Lanes};
 use fearless_simd::{SimdCombine, SimdFrom, SimdSplit, f32x4, f32x16};
 
@@ -13,20 +14,25 @@ pub(crate) type Quad = [f32; 4];
 /// Column `c` holds number `c` of each record.
 #[inline(always)]
 pub(crate) fn columns<L: Lanes>(l: L, records: &[&Quad; LANES]) -> [F32<L>; 4] {
-    transposed(l, [four(l, records, 0), four(l, records, 4), four(l, records, 8), four(l, records, 12)])
+    lane_op!(l, (l: L, records: &[&Quad; LANES]) -> [F32<L>; 4] = {
+        transposed(l, [four(l, records, 0), four(l, records, 4), four(l, records, 8), four(l, records, 12)])
+    })
 }
 
 /// Column `c` holds number `c` of each of the sixteen quads in four registers.
 #[inline(always)]
-pub(super) fn transposed<L: Lanes>(l: L, [a, b, c, d]: [f32x16<L>; 4]) -> [F32<L>; 4] {
-    let (even, odd) = (l.unzip_low_f32x16(a, b), l.unzip_high_f32x16(a, b));
-    let (even_high, odd_high) = (l.unzip_low_f32x16(c, d), l.unzip_high_f32x16(c, d));
-    [
-        F32(l.unzip_low_f32x16(even, even_high)),
-        F32(l.unzip_low_f32x16(odd, odd_high)),
-        F32(l.unzip_high_f32x16(even, even_high)),
-        F32(l.unzip_high_f32x16(odd, odd_high)),
-    ]
+pub(super) fn transposed<L: Lanes>(l: L, quads: [f32x16<L>; 4]) -> [F32<L>; 4] {
+    lane_op!(l, (l: L, quads: [f32x16<L>; 4]) -> [F32<L>; 4] = {
+        let [a, b, c, d] = quads;
+        let (even, odd) = (l.unzip_low_f32x16(a, b), l.unzip_high_f32x16(a, b));
+        let (even_high, odd_high) = (l.unzip_low_f32x16(c, d), l.unzip_high_f32x16(c, d));
+        [
+            F32(l.unzip_low_f32x16(even, even_high)),
+            F32(l.unzip_low_f32x16(odd, odd_high)),
+            F32(l.unzip_high_f32x16(even, even_high)),
+            F32(l.unzip_high_f32x16(odd, odd_high)),
+        ]
+    })
 }
 
 /// Records `first` to `first + 3`, one after the other.
@@ -41,27 +47,29 @@ fn four<L: Lanes>(l: L, records: &[&Quad; LANES], first: usize) -> f32x16<L> {
 /// apart in `out`; those that do not fit are left out.
 #[inline(always)]
 pub(crate) fn store_records<L: Lanes>(l: L, columns: [F32<L>; 4], out: &mut [Quad], stride: usize) {
-    let [c0, c1, c2, c3] = columns.map(
-        #[inline(always)]
-        |column| column.0,
-    );
-    let (even, odd) = (l.zip_low_f32x16(c0, c2), l.zip_low_f32x16(c1, c3));
-    let (even_high, odd_high) = (l.zip_high_f32x16(c0, c2), l.zip_high_f32x16(c1, c3));
-    let fours = [
-        l.zip_low_f32x16(even, odd),
-        l.zip_high_f32x16(even, odd),
-        l.zip_low_f32x16(even_high, odd_high),
-        l.zip_high_f32x16(even_high, odd_high),
-    ];
-    for (i, four) in fours.into_iter().enumerate() {
-        let (low, high) = four.split();
-        let ((a, b), (c, d)) = (low.split(), high.split());
-        for (j, record) in [a, b, c, d].into_iter().enumerate() {
-            if let Some(out) = out.get_mut((4 * i + j) * stride) {
-                *out = record.into();
+    lane_op!(l, (l: L, columns: [F32<L>; 4], out: &mut [Quad], stride: usize) -> () = {
+        let [c0, c1, c2, c3] = columns.map(
+            #[inline(always)]
+            |column| column.0,
+        );
+        let (even, odd) = (l.zip_low_f32x16(c0, c2), l.zip_low_f32x16(c1, c3));
+        let (even_high, odd_high) = (l.zip_high_f32x16(c0, c2), l.zip_high_f32x16(c1, c3));
+        let fours = [
+            l.zip_low_f32x16(even, odd),
+            l.zip_high_f32x16(even, odd),
+            l.zip_low_f32x16(even_high, odd_high),
+            l.zip_high_f32x16(even_high, odd_high),
+        ];
+        for (i, four) in fours.into_iter().enumerate() {
+            let (low, high) = four.split();
+            let ((a, b), (c, d)) = (low.split(), high.split());
+            for (j, record) in [a, b, c, d].into_iter().enumerate() {
+                if let Some(out) = out.get_mut((4 * i + j) * stride) {
+                    *out = record.into();
+                }
             }
         }
-    }
+    });
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! In: scalars, arrays, slices. Out: lane values. A token can only be had from [`dispatch`](super::level), which
 //! checked that the CPU has the level; so every operation on it is safe.
 
+use super::plain::lane_op;
 use super::{F32, I32, Mask, Noted, U32, Vec2, Vec3, Vec4};
 use crate::explain;
 use fearless_simd::{Simd, SimdBase, SimdMask, f32x16, i32x16, mask32x16, u32x16};
@@ -17,49 +18,57 @@ pub trait Lanes: Simd {
     /// The same float in every lane.
     #[inline(always)]
     fn f32(self, value: f32) -> F32<Self> {
-        F32(f32x16::splat(self, value))
+        let l = self;
+        lane_op!(l, (l: L, value: f32) -> F32<L> = F32(f32x16::splat(l, value)))
     }
 
     /// The same signed integer in every lane.
     #[inline(always)]
     fn i32(self, value: i32) -> I32<Self> {
-        I32(i32x16::splat(self, value))
+        let l = self;
+        lane_op!(l, (l: L, value: i32) -> I32<L> = I32(i32x16::splat(l, value)))
     }
 
     /// The same unsigned integer in every lane.
     #[inline(always)]
     fn u32(self, value: u32) -> U32<Self> {
-        U32(u32x16::splat(self, value))
+        let l = self;
+        lane_op!(l, (l: L, value: u32) -> U32<L> = U32(u32x16::splat(l, value)))
     }
 
     /// The same truth value in every lane.
     #[inline(always)]
     fn mask(self, value: bool) -> Mask<Self> {
-        Mask(mask32x16::splat(self, value))
+        let l = self;
+        lane_op!(l, (l: L, value: bool) -> Mask<L> = Mask(mask32x16::splat(l, value)))
     }
 
     /// Lane `i` is bit `i`.
     #[inline(always)]
     fn mask_from_bits(self, bits: u16) -> Mask<Self> {
-        Mask(mask32x16::from_bitmask(self, u64::from(bits)))
+        let l = self;
+        lane_op!(l, (l: L, bits: u16) -> Mask<L> = Mask(mask32x16::from_bitmask(l, u64::from(bits))))
     }
 
     /// One float per lane.
     #[inline(always)]
     fn f32_array(self, values: &[f32; LANES]) -> F32<Self> {
-        F32(f32x16::load_array_ref(self, values))
+        let l = self;
+        lane_op!(l, (l: L, values: &[f32; LANES]) -> F32<L> = F32(f32x16::load_array_ref(l, values)))
     }
 
     /// One signed integer per lane.
     #[inline(always)]
     fn i32_array(self, values: &[i32; LANES]) -> I32<Self> {
-        I32(i32x16::load_array_ref(self, values))
+        let l = self;
+        lane_op!(l, (l: L, values: &[i32; LANES]) -> I32<L> = I32(i32x16::load_array_ref(l, values)))
     }
 
     /// One unsigned integer per lane.
     #[inline(always)]
     fn u32_array(self, values: &[u32; LANES]) -> U32<Self> {
-        U32(u32x16::load_array_ref(self, values))
+        let l = self;
+        lane_op!(l, (l: L, values: &[u32; LANES]) -> U32<L> = U32(u32x16::load_array_ref(l, values)))
     }
 
     /// The lane numbers 0, 1, 2, .. as floats.

@@ -2,6 +2,7 @@
 
 use super::float::IntoF32;
 use super::mask::Selectable;
+use super::plain::lane_op;
 use super::{F32, Lanes, Mask};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -154,13 +155,19 @@ impl<L: Lanes> Vec3<L> {
     /// The scalar product.
     #[inline(always)]
     pub fn dot(self, o: Self) -> F32<L> {
-        (self.x * o.x + self.y * o.y) + self.z * o.z
+        let a = self;
+        lane_op!(a.token(), (a: Vec3<L>, o: Vec3<L>) -> F32<L> = (a.x * o.x + a.y * o.y) + a.z * o.z)
     }
 
     /// The vector product, right-handed.
     #[inline(always)]
     pub fn cross(self, o: Self) -> Self {
-        Self { x: self.y * o.z - self.z * o.y, y: self.z * o.x - self.x * o.z, z: self.x * o.y - self.y * o.x }
+        let a = self;
+        lane_op!(a.token(), (a: Vec3<L>, o: Vec3<L>) -> Vec3<L> = Vec3 {
+            x: a.y * o.z - a.z * o.y,
+            y: a.z * o.x - a.x * o.z,
+            z: a.x * o.y - a.y * o.x,
+        })
     }
 
     /// The length.
@@ -172,8 +179,9 @@ impl<L: Lanes> Vec3<L> {
     /// Unit length, same direction; the zero vector stays zero.
     #[inline(always)]
     pub fn normalize(self) -> Self {
+        let a = self;
         // The smallest normal float keeps 1/sqrt finite, and times zero it is zero.
-        self * (1.0 / self.dot(self).max(f32::MIN_POSITIVE).sqrt())
+        lane_op!(a.token(), (a: Vec3<L>) -> Vec3<L> = a * (1.0 / a.dot(a).max(f32::MIN_POSITIVE).sqrt()))
     }
 
     /// A homogeneous point or direction.
@@ -220,23 +228,29 @@ impl Mat4 {
     /// Moves sixteen points (w = 1).
     #[inline(always)]
     pub fn transform_point<L: Lanes>(&self, l: L, p: Vec3<L>) -> Vec4<L> {
-        let [x, y, z, o] = self.columns;
-        Vec4 {
-            x: ((p.x * x[0] + p.y * y[0]) + p.z * z[0]) + l.f32(o[0]),
-            y: ((p.x * x[1] + p.y * y[1]) + p.z * z[1]) + l.f32(o[1]),
-            z: ((p.x * x[2] + p.y * y[2]) + p.z * z[2]) + l.f32(o[2]),
-            w: ((p.x * x[3] + p.y * y[3]) + p.z * z[3]) + l.f32(o[3]),
-        }
+        let matrix = self;
+        lane_op!(l, (l: L, matrix: &Mat4, p: Vec3<L>) -> Vec4<L> = {
+            let [x, y, z, o] = matrix.columns;
+            Vec4 {
+                x: ((p.x * x[0] + p.y * y[0]) + p.z * z[0]) + l.f32(o[0]),
+                y: ((p.x * x[1] + p.y * y[1]) + p.z * z[1]) + l.f32(o[1]),
+                z: ((p.x * x[2] + p.y * y[2]) + p.z * z[2]) + l.f32(o[2]),
+                w: ((p.x * x[3] + p.y * y[3]) + p.z * z[3]) + l.f32(o[3]),
+            }
+        })
     }
 
     /// Turns sixteen directions (w = 0).
     #[inline(always)]
     pub fn transform_vector<L: Lanes>(&self, v: Vec3<L>) -> Vec3<L> {
-        let [x, y, z, _] = self.columns;
-        Vec3 {
-            x: (v.x * x[0] + v.y * y[0]) + v.z * z[0],
-            y: (v.x * x[1] + v.y * y[1]) + v.z * z[1],
-            z: (v.x * x[2] + v.y * y[2]) + v.z * z[2],
-        }
+        let matrix = self;
+        lane_op!(v.x.token(), (matrix: &Mat4, v: Vec3<L>) -> Vec3<L> = {
+            let [x, y, z, _] = matrix.columns;
+            Vec3 {
+                x: (v.x * x[0] + v.y * y[0]) + v.z * z[0],
+                y: (v.x * x[1] + v.y * y[1]) + v.z * z[1],
+                z: (v.x * x[2] + v.y * y[2]) + v.z * z[2],
+            }
+        })
     }
 }
