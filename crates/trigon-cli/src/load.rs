@@ -30,6 +30,8 @@ pub(crate) struct Models {
     pub(crate) up: UpDirection,
     /// Every file that was read and can be told.
     pub(crate) files: Vec<PathBuf>,
+    /// Draws those textures that are SVG.
+    pub(crate) svg_textures: Arc<SvgTextures>,
 }
 
 impl Models {
@@ -37,8 +39,8 @@ impl Models {
     pub(crate) fn load(render: &RenderOptions) -> Result<Self, Failure> {
         let (paths, options) = (&render.models, &render.input);
         let mut load_options = load_options(options, render.machine.threads);
-        let textures = SvgTextures::new(&render.svg_input, load_options.limits.texture_bytes);
-        load_options.picture_decoder = Some(Arc::new(textures));
+        let svg_textures = Arc::new(SvgTextures::new(&render.svg_input, load_options.limits.texture_bytes));
+        load_options.picture_decoder = Some(svg_textures.clone());
         let pictures = GivenPictures::read(options, &load_options)?;
         let (mut scene, mut warnings, mut up) = (Scene::default(), Vec::new(), None);
         let mut files = paths.to_vec();
@@ -64,7 +66,7 @@ impl Models {
         if preset.is_none() {
             pictures.put_on(&mut scene)?;
         }
-        Ok(Self { scene, warnings, up: up.unwrap_or(UpDirection::PLUS_Y), files })
+        Ok(Self { scene, warnings, up: up.unwrap_or(UpDirection::PLUS_Y), files, svg_textures })
     }
 
     /// Scales and turns the models as the options ask, about the origin.
@@ -126,9 +128,14 @@ fn read_stdin(max_bytes: u64) -> Result<&'static [u8], Failure> {
     }
 }
 
+/// The bounds on what is read.
+pub(crate) fn limits(options: &InputOptions) -> Limits {
+    load_options(options, None).limits
+}
+
 /// The limit on the size of a file.
 pub(crate) fn max_file_bytes(options: &InputOptions) -> u64 {
-    load_options(options, None).limits.file_bytes
+    limits(options).file_bytes
 }
 
 fn load_options(options: &InputOptions, threads: Option<NonZeroUsize>) -> LoadOptions {

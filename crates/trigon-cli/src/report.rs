@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::hash::PictureHash;
 use crate::json::Json;
 use crate::output::Destination;
-use crate::terminal::{self, Terminal};
+use crate::terminal::Terminal;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use trigon::geometry::GeometryStatistics;
@@ -165,7 +165,7 @@ impl Report {
 pub(crate) fn write_report(report: &Json, target: &ReportTarget, terminal: Terminal) -> Result<(), Failure> {
     let text = format!("{report}\n");
     match target {
-        ReportTarget::Stdout => terminal::write_stdout(text.as_bytes()),
+        ReportTarget::Stdout => Destination::Stdout.write(text.as_bytes()),
         ReportTarget::Stderr => {
             terminal.note(text.trim_end());
             Ok(())

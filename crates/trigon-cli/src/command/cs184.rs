@@ -26,7 +26,7 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     let (image, warnings) = draw_picture(&bytes, &course).map_err(|error| failure(path, &error))?;
     Ok(Drawn {
         image,
-        warnings,
+        warnings: warnings.iter().map(|warning| format!("{}: {warning}", path.display())).collect(),
         samples: format!("grid {}", course.samples_per_axis * course.samples_per_axis),
         simd: machine.simd.name(),
         threads: machine.threads,

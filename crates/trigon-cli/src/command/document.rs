@@ -3,7 +3,7 @@
 use super::drawing::{Drawn, failure, folder_of, read};
 use crate::failure::Failure;
 use crate::options::{Given, PatternChoice, RenderCommandOptions, RenderOptions};
-use crate::pictures::cover;
+use crate::pictures::{Cover, cover};
 use crate::values::PageArea;
 use crate::{machine, settings};
 use std::time::Instant;
@@ -21,12 +21,13 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     let document = Document::parse(&read(path, max_bytes)?, &read_options).map_err(|error| failure(path, &error))?;
     let load = started.elapsed();
     let prepared = document.prepare(&view, &renderer).map_err(|error| failure(path, &error))?;
-    let picture = draw_layers(&options.render, &prepared, &renderer, max_bytes)?;
-    let warnings = prepared.warnings;
+    let mut warnings: Vec<_> =
+        prepared.warnings.iter().map(|warning| format!("{}: {warning}", path.display())).collect();
+    let picture = draw_layers(&options.render, &prepared, &renderer, &mut warnings)?;
     let image = picture.to_image();
     Ok(Drawn {
         image,
-        warnings: warnings.iter().map(ToString::to_string).collect(),
+        warnings,
         samples: renderer.pattern.to_string(),
         simd: renderer.simd.name(),
         threads: renderer.threads,
@@ -35,12 +36,12 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     })
 }
 
-/// The document between the pictures behind and before it.
+/// The document between the pictures behind and before it, whose warnings are added.
 fn draw_layers(
     options: &RenderOptions,
     prepared: &Prepared,
     renderer: &Renderer,
-    max_bytes: u64,
+    warnings: &mut Vec<String>,
 ) -> Result<Picture, Failure> {
     let refused = |error| failure(&options.models[0], &SvgError::Draw(error));
     let background = options.picture.background.unwrap_or(Color::TRANSPARENT);
@@ -48,14 +49,16 @@ fn draw_layers(
     let mut picture = match &options.picture.backdrop {
         None => renderer.draw(&prepared.drawing, size.0, size.1, background).map_err(refused)?,
         Some(path) => {
-            let backdrop = cover(path, size, &options.svg_input, renderer, max_bytes)?;
+            let Cover { drawing: backdrop, warnings: odd } = cover(path, size, options, renderer)?;
+            warnings.extend(odd);
             let mut picture = renderer.draw(&backdrop, size.0, size.1, background).map_err(refused)?;
             renderer.draw_over(&prepared.drawing, &mut picture).map_err(refused)?;
             picture
         }
     };
     if let Some(path) = &options.picture.overlay {
-        let overlay = cover(path, size, &options.svg_input, renderer, max_bytes)?;
+        let Cover { drawing: overlay, warnings: odd } = cover(path, size, options, renderer)?;
+        warnings.extend(odd);
         renderer.draw_over(&overlay, &mut picture).map_err(refused)?;
     }
     Ok(picture)

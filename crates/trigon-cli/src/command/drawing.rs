@@ -21,6 +21,7 @@ use trigon_svg::svg::{SvgError, is_svg};
 /// A picture that was drawn, and what the report says about it.
 pub(crate) struct Drawn {
     pub(crate) image: Rgba8Image,
+    /// Each with the file's name.
     pub(crate) warnings: Vec<String>,
     pub(crate) samples: String,
     pub(crate) simd: &'static str,
@@ -96,14 +97,14 @@ pub(crate) fn make(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     }
 }
 
-/// Says what is odd about the file; an error if the options are strict.
+/// Says what is odd about the file and the pictures around it; an error if the options are strict.
 pub(crate) fn tell(options: &RenderOptions, warnings: &[String]) -> Result<(), Failure> {
-    let (terminal, path) = (Terminal::detect(options.output.quiet), options.models[0].display());
+    let terminal = Terminal::detect(options.output.quiet);
     for warning in warnings {
         if options.input.strict {
-            return Err(Failure::work(format!("{path}: {warning} (an error because of --strict)")));
+            return Err(Failure::work(format!("{warning} (an error because of --strict)")));
         }
-        terminal.warning(&format!("{path}: {warning}"));
+        terminal.warning(warning);
     }
     Ok(())
 }

@@ -8,7 +8,6 @@ use crate::load;
 use crate::options::{ExplainOptions, Written};
 use crate::output::{Destination, Encoding, Images};
 use crate::story::{to_json, to_picture, to_text};
-use crate::terminal;
 use trigon_scene::render::SceneStory;
 
 pub(crate) fn explain(options: &ExplainOptions, written: &Written) -> Result<(), Failure> {
@@ -26,7 +25,7 @@ pub(crate) fn explain(options: &ExplainOptions, written: &Written) -> Result<(),
     }
     let mut studio = Studio::open(render, &output, &encoding)?;
     let camera = studio.look(render, None)?;
-    let story = studio.explain(&camera, options.pixel.0, !render.picture.layer_files().is_empty())?;
+    let story = studio.explain(&camera, options.pixel.0)?;
     if output != Destination::Stdout {
         let images = Images { bytes: studio.draw(&camera)?.bytes, floats: None };
         let picture = images.bytes.ok_or_else(|| Failure::work("the picture was not drawn"))?;
@@ -53,7 +52,7 @@ fn check_pixel(options: &ExplainOptions) -> Result<(), Failure> {
 fn write(options: &ExplainOptions, story: &SceneStory, size: (u32, u32)) -> Result<(), Failure> {
     match &options.render.output.json {
         None if Destination::new(&options.render.output.output) != Destination::Stdout => Ok(()),
-        None => terminal::write_stdout(to_text(story, size).as_bytes()),
+        None => Destination::Stdout.write(to_text(story, size).as_bytes()),
         Some(path) => {
             let target = path.as_deref().map_or(Destination::Stdout, Destination::new);
             target.write(format!("{}\n", to_json(story, size)).as_bytes())

@@ -6,13 +6,14 @@ use crate::failure::Failure;
 use crate::load::Models;
 use crate::options::{Preset, RenderOptions};
 use crate::output::{Destination, Encoding, Images};
-use crate::pictures::Layers;
+use crate::pictures::{Layers, SvgTextures};
 use crate::report::{Report, ReportTarget, Stages};
 use crate::terminal::Terminal;
 use crate::turn::Turn;
 use crate::values::UpDirection;
 use crate::{machine, settings, view};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use trigon::pipeline::{Picture, Renderer};
 use trigon_scene::load::Warning;
@@ -30,6 +31,7 @@ pub(crate) struct Studio {
     scene_renderer: SceneRenderer,
     settings: RenderSettings,
     layers: Layers,
+    svg_textures: Option<Arc<SvgTextures>>,
     picture: Picture,
     is_strict: bool,
     report: Report,
@@ -50,6 +52,7 @@ impl Studio {
         check_inputs(&options.models, options.preset.preset)?;
         view::check(&options.view)?;
         output.check(&options.models)?;
+        output.check_not_among(&options.picture.layer_files())?;
         let report_target = ReportTarget::choose(options.output.json.as_ref(), output);
         report_target.as_ref().map_or(Ok(()), |target| target.check(&options.models))?;
         let settings = settings::render_settings(options, encoding.outputs(report_target.is_some()))?;
@@ -72,6 +75,7 @@ impl Studio {
             scene_renderer: SceneRenderer::new(),
             settings,
             layers: Layers::default(),
+            svg_textures: None,
             picture: Picture::default(),
             is_strict: options.input.strict,
             report,
@@ -86,8 +90,10 @@ impl Studio {
         self.layers = Layers::read(options, &mut self.settings)?;
         self.report.stages.load = started.elapsed();
         output.check_not_among(&models.files)?;
-        output.check_not_among(&options.picture.layer_files())?;
         self.warn_all(&models.warnings)?;
+        let warnings = std::mem::take(&mut self.layers.warnings);
+        self.warn_of_pictures(warnings)?;
+        self.svg_textures = Some(models.svg_textures.clone());
         models.place(&options.view);
         self.up = options.view.up.unwrap_or(models.up);
         self.scene = models.scene;
@@ -152,8 +158,7 @@ impl Studio {
     /// Draws the scene as it is now.
     pub(crate) fn draw(&mut self, camera: &Camera) -> Result<Images, Failure> {
         let started = Instant::now();
-        let warnings = self.scene_renderer.prepare(&self.scene, &self.settings);
-        self.warn_all(&warnings)?;
+        self.prepare()?;
         let (statistics, _) = self
             .scene_renderer
             .render(&mut self.renderer, &self.scene, camera, &self.settings, &mut self.picture)
@@ -177,6 +182,14 @@ impl Studio {
         Ok(images)
     }
 
+    /// Makes ready what the scene needs to be drawn, its textures above all.
+    fn prepare(&mut self) -> Result<(), Failure> {
+        let warnings = self.scene_renderer.prepare(&self.scene, &self.settings);
+        self.warn_all(&warnings)?;
+        let of_pictures = self.svg_textures.as_ref().map(|textures| textures.take_warnings());
+        self.warn_of_pictures(of_pictures.unwrap_or_default())
+    }
+
     /// Draws the scene, several times where the time counts; the shortest time that a frame took, without the making of
     /// textures and draws.
     pub(crate) fn draw_timed(&mut self, camera: &Camera, is_timed: bool) -> Result<(Images, Duration), Failure> {
@@ -196,22 +209,17 @@ impl Studio {
         Err(Failure::work("the scene was not drawn"))
     }
 
-    /// Tells how a pixel of the picture that [`draw`](Self::draw) would make comes about.
-    ///
-    /// `has_layers`: there are pictures behind or before the scene, which the end of the story takes in.
-    pub(crate) fn explain(
-        &mut self,
-        camera: &Camera,
-        pixel: [u32; 2],
-        has_layers: bool,
-    ) -> Result<SceneStory, Failure> {
-        let warnings = self.scene_renderer.prepare(&self.scene, &self.settings);
-        self.warn_all(&warnings)?;
+    /// Tells how a pixel of the picture that [`draw`](Self::draw) would make comes about; its colour is that of the
+    /// picture, with what lies behind and before the scene.
+    pub(crate) fn explain(&mut self, camera: &Camera, pixel: [u32; 2]) -> Result<SceneStory, Failure> {
+        self.prepare()?;
         let (mut story, _) = self
             .scene_renderer
             .explain(&mut self.renderer, &self.scene, camera, &self.settings, pixel)
             .map_err(|error| Failure::work(error.to_string()))?;
-        if has_layers && let Some(picture) = self.draw(camera)?.bytes {
+        if !self.layers.is_empty()
+            && let Some(picture) = self.draw(camera)?.bytes
+        {
             story.color = picture.pixel(pixel[0], pixel[1]);
         }
         Ok(story)
@@ -242,6 +250,17 @@ impl Studio {
                 return Err(Failure::work(format!("{warning} (an error because of --strict)")));
             }
             self.report.warn(self.terminal, warning.to_string());
+        }
+        Ok(())
+    }
+
+    /// Says what is odd about pictures beside the models: what is not drawn of an SVG file.
+    fn warn_of_pictures(&mut self, warnings: Vec<String>) -> Result<(), Failure> {
+        for warning in warnings {
+            if self.is_strict {
+                return Err(Failure::work(format!("{warning} (an error because of --strict)")));
+            }
+            self.report.warn(self.terminal, warning);
         }
         Ok(())
     }

@@ -1,7 +1,8 @@
-//! A picture file, of pixels or SVG, in; a drawing of it that fills a frame out.
+//! A picture file, of pixels or SVG, in; a drawing of it that fills a frame out, and what is odd about the file.
 
 use crate::failure::Failure;
-use crate::options::SvgInputOptions;
+use crate::load;
+use crate::options::RenderOptions;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -9,14 +10,22 @@ use trigon_image::{Format, Limits, decode};
 use trigon_svg::canvas::{BlendMode, Drawing, Image, ImageFilter, Renderer, Transform};
 use trigon_svg::svg::{Document, Size, View, is_svg};
 
+/// A picture that fills a frame.
+pub(crate) struct Cover {
+    pub(crate) drawing: Drawing,
+    /// Each with the file's name.
+    pub(crate) warnings: Vec<String>,
+}
+
 /// Reads a picture and makes it fill a frame of this size; it keeps its proportions, and what sticks out is cut off.
 pub(crate) fn cover(
     path: &Path,
     (width, height): (u32, u32),
-    svg_input: &SvgInputOptions,
+    options: &RenderOptions,
     renderer: &Renderer,
-    max_bytes: u64,
-) -> Result<Drawing, Failure> {
+) -> Result<Cover, Failure> {
+    let limits = load::limits(&options.input);
+    let max_bytes = limits.file_bytes;
     let failure = |problem: String| Failure::work(format!("cannot read the picture {}: {problem}", path.display()));
     let mut bytes = Vec::new();
     File::open(path)
@@ -26,12 +35,14 @@ pub(crate) fn cover(
         return Err(failure(format!("larger than the limit file-size = {max_bytes}")));
     }
     if is_svg(&bytes) {
-        let options = svg_input.to_options(path.parent().map(Path::to_owned), max_bytes);
+        let options = options.svg_input.to_options(path.parent().map(Path::to_owned), max_bytes);
         let view = View { size: Size::Cover(width, height), ..View::default() };
         let prepared = Document::parse(&bytes, &options).and_then(|document| document.prepare(&view, renderer));
-        return Ok(prepared.map_err(|error| failure(error.to_string()))?.drawing);
+        let prepared = prepared.map_err(|error| failure(error.to_string()))?;
+        let warnings = prepared.warnings.iter().map(|warning| format!("{}: {warning}", path.display())).collect();
+        return Ok(Cover { drawing: prepared.drawing, warnings });
     }
-    let limits = Limits::default();
+    let limits = Limits::default().with_max_pixels(limits.texture_pixels);
     let decoded = decode(&bytes, Format::from_path(path), &limits).map_err(|error| failure(error.to_string()))?;
     let image = Image::new(&decoded.into_rgba8()).map_err(|error| failure(error.to_string()))?;
     let mut drawing = Drawing::new();
@@ -39,7 +50,7 @@ pub(crate) fn cover(
     // Pixels that stay pixels are not mixed.
     let filter = if image.size() == [width, height] { ImageFilter::NEAREST } else { ImageFilter::SMOOTH };
     drawing.image(&image, filter, filling, 1.0, BlendMode::Normal);
-    Ok(drawing)
+    Ok(Cover { drawing, warnings: Vec::new() })
 }
 
 /// The map from an image's pixels to those of the frame that it fills.

@@ -2,9 +2,8 @@
 //!
 //! All is composed in linear light and premultiplied, as the frame itself was, and encoded once at the end.
 
-use super::cover;
+use super::cover::{Cover, cover};
 use crate::failure::Failure;
-use crate::load;
 use crate::machine;
 use crate::options::RenderOptions;
 use crate::output::Images;
@@ -18,6 +17,8 @@ use trigon_svg::canvas::Renderer;
 pub(crate) struct Layers {
     behind: Option<RgbaF32Image>,
     before: Option<RgbaF32Image>,
+    /// What is odd about the pictures, each with the file's name.
+    pub(crate) warnings: Vec<String>,
     wants_bytes: bool,
     wants_floats: bool,
 }
@@ -32,16 +33,17 @@ impl Layers {
         }
         let machine = machine::renderer_options(&options.machine)?;
         let renderer = Renderer { threads: machine.threads, simd: machine.simd, ..Renderer::new() };
-        let max_bytes = load::max_file_bytes(&options.input);
-        let read = |path: &Path| {
+        let mut warnings = Vec::new();
+        let mut read = |path: &Path| {
             let size = (settings.width, settings.height);
-            let drawing = cover(path, size, &options.svg_input, &renderer, max_bytes)?;
+            let Cover { drawing, warnings: odd } = cover(path, size, options, &renderer)?;
+            warnings.extend(odd);
             let drawn = renderer.draw(&drawing, size.0, size.1, Color::TRANSPARENT);
             let picture = drawn.map_err(|error| Failure::work(format!("{}: {error}", path.display())))?;
             Ok(picture.to_image().to_linear())
         };
-        let mut behind = picture.backdrop.as_deref().map(read).transpose()?;
-        let before = picture.overlay.as_deref().map(read).transpose()?;
+        let mut behind = picture.backdrop.as_deref().map(&mut read).transpose()?;
+        let before = picture.overlay.as_deref().map(&mut read).transpose()?;
         if let Some(behind) = &mut behind {
             let color = picture.background.unwrap_or(Color::TRANSPARENT).to_linear_premultiplied();
             for pixel in behind.pixels_mut() {
@@ -51,12 +53,17 @@ impl Layers {
         }
         let wanted = settings.outputs;
         (settings.outputs.color, settings.outputs.color_f32) = (false, true);
-        Ok(Self { behind, before, wants_bytes: wanted.color, wants_floats: wanted.color_f32 })
+        Ok(Self { behind, before, warnings, wants_bytes: wanted.color, wants_floats: wanted.color_f32 })
+    }
+
+    /// True without pictures.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.behind.is_none() && self.before.is_none()
     }
 
     /// The frame between the pictures.
     pub(crate) fn compose(&self, frame: Images) -> Images {
-        if !self.wants_bytes && !self.wants_floats {
+        if self.is_empty() {
             return frame;
         }
         let Some(mut floats) = frame.floats else { return frame };

@@ -2,6 +2,7 @@
 
 use crate::options::SvgInputOptions;
 use std::io;
+use std::sync::{Mutex, PoisonError};
 use trigon_image::{Color, DecodeError, DecodedImage, Limits};
 use trigon_scene::load::PictureDecoder;
 use trigon_svg::canvas::Renderer;
@@ -13,15 +14,24 @@ const LONGER_SIDE: u32 = 2048;
 /// Draws textures that are SVG.
 pub(crate) struct SvgTextures {
     options: Options,
+    /// What is odd about those drawn so far, each with the file's name.
+    warnings: Mutex<Vec<String>>,
 }
 
 impl SvgTextures {
     /// Pictures that a texture links to are not read: models are often those of strangers.
     pub(crate) fn new(options: &SvgInputOptions, max_bytes: u64) -> Self {
-        Self { options: options.to_options(None, max_bytes) }
+        Self { options: options.to_options(None, max_bytes), warnings: Mutex::default() }
     }
 
-    fn draw(&self, bytes: &[u8], limits: &Limits) -> Result<DecodedImage, DecodeError> {
+    /// What is odd about the files drawn since the last call, in the order of their names.
+    pub(crate) fn take_warnings(&self) -> Vec<String> {
+        let mut warnings = std::mem::take(&mut *self.warnings.lock().unwrap_or_else(PoisonError::into_inner));
+        warnings.sort_unstable();
+        warnings
+    }
+
+    fn draw(&self, name: &str, bytes: &[u8], limits: &Limits) -> Result<DecodedImage, DecodeError> {
         let unusable = |error: SvgError| DecodeError::Io(io::Error::new(io::ErrorKind::InvalidData, error.to_string()));
         let document = Document::parse(bytes, &self.options).map_err(unusable)?;
         let [width, height] = document.size();
@@ -30,6 +40,8 @@ impl SvgTextures {
         // Textures are drawn on several threads as it is.
         let renderer = Renderer::new();
         let prepared = document.prepare(&view, &renderer).map_err(unusable)?;
+        let odd = prepared.warnings.iter().map(|warning| format!("{name}: {warning}"));
+        self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(odd);
         limits.check(prepared.width, prepared.height, 4)?;
         let picture = renderer.draw(&prepared.drawing, prepared.width, prepared.height, Color::TRANSPARENT);
         Ok(DecodedImage::Rgba8(picture.map_err(|error| unusable(error.into()))?.to_image()))
@@ -37,7 +49,7 @@ impl SvgTextures {
 }
 
 impl PictureDecoder for SvgTextures {
-    fn decode(&self, _: &str, bytes: &[u8], limits: &Limits) -> Option<Result<DecodedImage, DecodeError>> {
-        is_svg(bytes).then(|| self.draw(bytes, limits))
+    fn decode(&self, name: &str, bytes: &[u8], limits: &Limits) -> Option<Result<DecodedImage, DecodeError>> {
+        is_svg(bytes).then(|| self.draw(name, bytes, limits))
     }
 }

@@ -87,6 +87,32 @@ fn an_overlay_lies_before_a_model_and_before_a_drawing() {
 }
 
 #[test]
+fn what_is_odd_about_a_layer_or_a_texture_is_told() {
+    let broken =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2 2'><rect width='2' height='2'/><foreignObject/></svg>";
+    let folder = Folder::with_cube()
+        .with("half.svg", HALF)
+        .with("broken.svg", broken)
+        .with("a.obj", TEXTURED)
+        .with("m.mtl", "newmtl picture\nmap_Kd broken.svg\n");
+    for arguments in ["cube.obj --backdrop broken.svg", "half.svg --overlay broken.svg", "a.obj"] {
+        let run = format!("{arguments} --size 20 -o b.png");
+        folder.run(&run).succeeds().says(&["warning", "broken.svg", "foreignObject"]);
+        folder.run(&format!("{run} --strict")).fails_with(&["broken.svg", "--strict"]);
+        let report = folder.run(&format!("{run} --json"));
+        assert!(report.text().contains("foreignObject"), "{}", report.text());
+    }
+}
+
+#[test]
+fn layers_are_bounded_as_textures_are() {
+    let folder = Folder::with_cube().with("half.svg", HALF);
+    folder.run("half.svg -o half.png --size 40x40").succeeds_quietly();
+    folder.run("cube.obj -o b.png --size 20 --backdrop half.png --limit texture-pixels=1600").succeeds_quietly();
+    folder.run("cube.obj -o b.png --size 20 --backdrop half.png --limit texture-pixels=1599").fails_with(&["half.png"]);
+}
+
+#[test]
 fn layers_have_every_depth_and_stand_still_in_an_animation() {
     let folder = Folder::with_cube().with("half.svg", HALF);
     folder.run("cube.obj --size 20 --backdrop half.svg -o a.exr").succeeds_quietly();
