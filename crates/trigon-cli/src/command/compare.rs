@@ -2,7 +2,7 @@
 
 use super::drawing;
 use super::render::check_kind;
-use crate::compare::{Entry, Layout, Reference, Subject, Variant, draw, rmse, sheet, variants};
+use crate::compare::{Drawer, Entry, Layout, Reference, Subject, Variant, check_size, rmse, sheet, variants};
 use crate::failure::Failure;
 use crate::hash::PictureHash;
 use crate::json::Json;
@@ -42,10 +42,14 @@ pub(crate) fn compare(options: &CompareOptions, given: Given, arguments: &[OsStr
     };
     let variants = variants(arguments, options, given)?;
     variants.iter().try_for_each(|variant| check(subject, variant))?;
+    // All models have the size of the options; of SVG files it is known once the first is drawn.
+    let size = render.picture.size;
+    if subject == Subject::Model {
+        check_picture(options, (size.width, size.height))?;
+    }
 
     let mut reference = Reference::default();
-    let cells = draw_all(arguments, subject, variants, &mut reference, !options.no_times)?;
-    check_inset(options, &cells)?;
+    let cells = draw_all(arguments, subject, variants, &mut reference, options)?;
     let picture = sheet(&entries(options, &cells, &reference), &layout(options, &cells))?;
     output.write(&encoding.encode(&Images { bytes: Some(picture), floats: None })?)?;
     match target {
@@ -72,38 +76,35 @@ fn draw_all(
     subject: Subject,
     variants: Vec<Variant>,
     reference: &mut Reference,
-    is_timed: bool,
+    options: &CompareOptions,
 ) -> Result<Vec<Compared>, Failure> {
+    let mut drawer = Drawer::new(subject);
     let mut cells = Vec::with_capacity(variants.len());
     for mut variant in variants {
         // What is odd about the file is told once.
         variant.options.render.output.quiet |= !cells.is_empty();
-        let cell = draw(subject, &variant, false, is_timed)?;
+        let cell = drawer.draw(&variant, false, !options.no_times)?;
         let image = cell.images.bytes.ok_or_else(|| Failure::work("the picture was not drawn"))?;
-        let ideal = reference.of(arguments, subject, &variant, (image.width(), image.height()))?;
+        check_picture(options, (image.width(), image.height()))?;
+        let ideal = reference.of(arguments, &mut drawer, &variant, (image.width(), image.height()))?;
         let rmse = rmse(&image, ideal).unwrap_or(f64::NAN);
         cells.push(Compared { variant, image, time: cell.time, rmse });
     }
     Ok(cells)
 }
 
-fn check_inset(options: &CompareOptions, cells: &[Compared]) -> Result<(), Failure> {
+/// Refuses a picture of this size: too large, or without the square that is to be shown enlarged.
+fn check_picture(options: &CompareOptions, (width, height): (u32, u32)) -> Result<(), Failure> {
+    check_size((width, height))?;
     let Some(inset) = options.inset else { return Ok(()) };
-    let fits = |cell: &Compared| {
-        let ends = |start: u32, side: u32| start.checked_add(inset.size).is_some_and(|end| end <= side);
-        ends(inset.x, cell.image.width()) && ends(inset.y, cell.image.height())
-    };
-    match cells.iter().find(|cell| !fits(cell)) {
-        None => Ok(()),
-        Some(cell) => Err(Failure::usage(format!(
-            "--inset {},{},{} is not within the picture of {}x{} pixels",
-            inset.x,
-            inset.y,
-            inset.size,
-            cell.image.width(),
-            cell.image.height()
-        ))),
+    let ends = |start: u32, side: u32| start.checked_add(inset.size).is_some_and(|end| end <= side);
+    if ends(inset.x, width) && ends(inset.y, height) {
+        return Ok(());
     }
+    Err(Failure::usage(format!(
+        "--inset {},{},{} is not within the picture of {width}x{height} pixels; write its left column, top row and side",
+        inset.x, inset.y, inset.size
+    )))
 }
 
 fn entries(options: &CompareOptions, cells: &[Compared], reference: &Reference) -> Vec<Entry> {

@@ -1,4 +1,4 @@
-//! An SVG file drawn as SVG says.
+//! An SVG file drawn as SVG says: read once, drawn as often as one likes.
 
 use super::drawing::{Drawn, failure, folder_of, read};
 use crate::failure::Failure;
@@ -6,21 +6,57 @@ use crate::options::{Given, PatternChoice, RenderCommandOptions, RenderOptions};
 use crate::pictures::{Cover, cover};
 use crate::values::PageArea;
 use crate::{machine, settings};
-use std::time::Instant;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 use trigon_image::Color;
 use trigon_svg::canvas::{Picture, Renderer};
-use trigon_svg::svg::{Area, Document, Prepared, Size, SvgError, View};
+use trigon_svg::svg::{Area, Document, Options, Prepared, Size, SvgError, View};
 
-/// Reads and draws the file.
-pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64) -> Result<Drawn, Failure> {
+/// A file that was read.
+struct Source {
+    path: PathBuf,
+    options: Options,
+    document: Document,
+    /// How long it took to read.
+    load: Duration,
+}
+
+/// The file that was read last; none at first. It is read again only where the options of reading differ.
+#[derive(Default)]
+pub(crate) struct Reader {
+    source: Option<Source>,
+}
+
+impl Reader {
+    fn open(&mut self, path: &Path, options: Options, max_bytes: u64) -> Result<&Source, Failure> {
+        let kept = self.source.take().filter(|source| source.path == path && source.options == options);
+        let source = match kept {
+            Some(source) => source,
+            None => {
+                let started = Instant::now();
+                let document =
+                    Document::parse(&read(path, max_bytes)?, &options).map_err(|error| failure(path, &error))?;
+                Source { path: path.to_owned(), options, document, load: started.elapsed() }
+            }
+        };
+        Ok(self.source.insert(source))
+    }
+}
+
+/// Reads the file, unless `reader` has it, and draws it.
+pub(super) fn draw(
+    reader: &mut Reader,
+    options: &RenderCommandOptions,
+    given: Given,
+    max_bytes: u64,
+) -> Result<Drawn, Failure> {
     let path = &options.render.models[0];
     let view = view(options, given);
     let renderer = renderer(options, given)?;
-    let started = Instant::now();
     let read_options = options.render.svg_input.to_options(Some(folder_of(path)), max_bytes);
-    let document = Document::parse(&read(path, max_bytes)?, &read_options).map_err(|error| failure(path, &error))?;
-    let load = started.elapsed();
-    let prepared = document.prepare(&view, &renderer).map_err(|error| failure(path, &error))?;
+    let source = reader.open(path, read_options, max_bytes)?;
+    let started = Instant::now();
+    let prepared = source.document.prepare(&view, &renderer).map_err(|error| failure(path, &error))?;
     let mut warnings: Vec<_> =
         prepared.warnings.iter().map(|warning| format!("{}: {warning}", path.display())).collect();
     let picture = draw_layers(&options.render, &prepared, &renderer, &mut warnings)?;
@@ -31,8 +67,8 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
         samples: renderer.pattern.to_string(),
         simd: renderer.simd.name(),
         threads: renderer.threads,
-        load,
-        draw: started.elapsed().saturating_sub(load),
+        load: source.load,
+        draw: started.elapsed(),
     })
 }
 

@@ -2,6 +2,7 @@
 //!
 //! How it is drawn is told apart by `--preset`; what is checked before, written and reported after is the same.
 
+pub(crate) use super::document::Reader;
 use super::{cs184, document};
 use crate::failure::Failure;
 use crate::hash::PictureHash;
@@ -53,7 +54,7 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     let report_target = ReportTarget::choose(render.output.json.as_ref(), &output);
     report_target.as_ref().map_or(Ok(()), |target| target.check(&render.models))?;
 
-    let mut drawn = make(options, given, max_bytes)?;
+    let mut drawn = make(&mut Reader::default(), options, given, max_bytes)?;
     tell(render, &drawn.warnings)?;
     let (terminal, path) = (Terminal::detect(render.output.quiet), render.models[0].display());
     let encode_started = Instant::now();
@@ -88,12 +89,17 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     write_report(&report, &target, terminal)
 }
 
-/// Reads and draws the file.
-pub(crate) fn make(options: &RenderCommandOptions, given: Given, max_bytes: u64) -> Result<Drawn, Failure> {
+/// Reads the file, unless `reader` has it, and draws it. (The program of the course reads a file each time.)
+pub(crate) fn make(
+    reader: &mut Reader,
+    options: &RenderCommandOptions,
+    given: Given,
+    max_bytes: u64,
+) -> Result<Drawn, Failure> {
     match options.render.preset.preset {
         Some(Preset::Cs184) => cs184::draw(options, given, max_bytes),
         // Those of models were refused.
-        _ => document::draw(options, given, max_bytes),
+        _ => document::draw(reader, options, given, max_bytes),
     }
 }
 

@@ -8,7 +8,7 @@ mod reference;
 mod sheet;
 mod variant;
 
-pub(crate) use cell::{Subject, draw};
-pub(crate) use reference::{Reference, rmse};
+pub(crate) use cell::{Drawer, Subject};
+pub(crate) use reference::{Reference, check_size, rmse};
 pub(crate) use sheet::{Entry, Layout, sheet};
 pub(crate) use variant::{Variant, variants};

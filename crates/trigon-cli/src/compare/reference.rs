@@ -1,11 +1,11 @@
 //! What pictures are measured against: the same view with 64 samples a pixel.
 //!
-//! Models are drawn at twice the width and height (lines, points and outlines twice as wide, as far as lines go) with 16 samples a pixel on a grid,
-//! shaded at every sample, with trilinear anisotropic textures (16 points); then the mean of each 2 x 2 pixels is taken in
-//! linear light and encoded. So each pixel is the mean of 64 shaded samples in an 8 x 8 grid. SVG files are drawn at twice
+//! Models are drawn at twice the width and height (lines, points and outlines twice as wide, as far as lines go) with 16
+//! samples a pixel on a grid, shaded at every sample, with trilinear anisotropic textures (16 points); then the mean of
+//! each 2 x 2 pixels is taken in linear light and encoded. So each pixel is the mean of 64 shaded samples in an 8 x 8 grid. SVG files are drawn at twice
 //! the size with 16 samples on a grid; their mean is taken of encoded, premultiplied colours, as SVG blends.
 
-use super::cell::{Subject, draw};
+use super::cell::{Drawer, Subject};
 use super::variant::Variant;
 use crate::failure::Failure;
 use crate::values::Positive;
@@ -29,7 +29,7 @@ impl Reference {
     pub(crate) fn of(
         &mut self,
         arguments: &[OsString],
-        subject: Subject,
+        drawer: &mut Drawer,
         variant: &Variant,
         size: (u32, u32),
     ) -> Result<&Rgba8Image, Failure> {
@@ -39,7 +39,7 @@ impl Reference {
         let at = match found {
             Some(at) => at,
             None => {
-                self.made.push((key, make(arguments, subject, variant, size)?));
+                self.made.push((key, make(arguments, drawer, variant, size)?));
                 self.made.len() - 1
             }
         };
@@ -71,16 +71,24 @@ fn premultiplied(picture: &Rgba8Image) -> Rgba8Image {
     picture
 }
 
+/// Refuses pictures of which there can be no reference.
+pub(crate) fn check_size((width, height): (u32, u32)) -> Result<(), Failure> {
+    let limit = MAX_SIZE / 2;
+    if width.max(height) <= limit {
+        return Ok(());
+    }
+    let message = format!(
+        "pictures to compare have at most {limit} pixels a side, not {width}x{height}; choose a smaller --size"
+    );
+    Err(Failure::usage(message))
+}
+
 fn make(
     arguments: &[OsString],
-    subject: Subject,
+    drawer: &mut Drawer,
     variant: &Variant,
     (width, height): (u32, u32),
 ) -> Result<Rgba8Image, Failure> {
-    if width.max(height) > MAX_SIZE / 2 {
-        let limit = MAX_SIZE / 2;
-        return Err(Failure::usage(format!("pictures to compare have at most {limit} pixels a side; see --size")));
-    }
     let shading = &variant.options.render.shading;
     let [line, point] = [shading.line_width.0 * 2.0, shading.point_size.0 * 2.0].map(|pixels| pixels.to_string());
     let fixed = [
@@ -98,16 +106,17 @@ fn make(
     let mut large = variant.with(arguments, &values)?;
     large.options.render.output.quiet = true;
     (large.options.render.picture.size.width, large.options.render.picture.size.height) = (2 * width, 2 * height);
+    large.options.render.picture.enlargement = 2.0;
     large.given.size = true;
     let effects = &mut large.options.render.effects;
     if let Some(outline) = effects.outline() {
         effects.outline_width = Some(Positive(f64::from((2.0 * outline.width_px).min(Outline::MAX_WIDTH))));
     }
     // Where a size was written it is the frame of both; else the document's own is doubled.
-    if subject == Subject::Drawing && large.options.render.preset.preset.is_none() && !variant.given.size {
+    if drawer.subject == Subject::Drawing && large.options.render.preset.preset.is_none() && !variant.given.size {
         (large.options.svg.width, large.options.svg.height) = (Some(2 * width), None);
     }
-    let images = draw(subject, &large, true, false)?.images;
+    let images = drawer.draw(&large, true, false)?.images;
     let mean = match (images.floats, images.bytes) {
         (Some(floats), _) => halved_linear(&floats, (width, height)),
         (None, Some(bytes)) => halved_encoded(&bytes, (width, height)),

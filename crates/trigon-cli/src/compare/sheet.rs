@@ -32,6 +32,8 @@ const CAPITAL: f64 = 9.0;
 /// Around the sheet, and between cells.
 const MARGIN: u32 = 18;
 const GAP: u32 = 20;
+/// Labels that need more are drawn smaller, if the picture is narrower.
+const MAX_LABEL: u32 = 400;
 /// Between a picture and its enlarged part.
 const SEAM: u32 = 6;
 
@@ -44,6 +46,8 @@ struct Grid {
     cell: (u32, u32),
     columns: u32,
     rows: u32,
+    /// The lines at the foot, no longer than the sheet is wide.
+    notes: Vec<String>,
     size: (u32, u32),
 }
 
@@ -61,8 +65,8 @@ pub(crate) fn sheet(entries: &[Entry], layout: &Layout) -> Result<Rgba8Image, Fa
     for (number, entry) in (0..).zip(entries) {
         draw_entry(&mut sheet, &mut sketch, &grid, layout, (number, entry));
     }
-    let first = f64::from(height - MARGIN) - line_height(CAPITAL) * (layout.notes.len() as f64 - 1.0);
-    for (line, note) in layout.notes.iter().enumerate() {
+    let first = f64::from(height - MARGIN) - line_height(CAPITAL) * (grid.notes.len() as f64 - 1.0);
+    for (line, note) in grid.notes.iter().enumerate() {
         let y = first + line_height(CAPITAL) * line as f64;
         fitted(&mut sketch, [f64::from(MARGIN), y], f64::from(width - 2 * MARGIN), PALE_INK, note);
     }
@@ -82,17 +86,20 @@ impl Grid {
         let beside = if inset.0 > 0 { SEAM + inset.0 } else { 0 };
         let lines = entries.iter().map(|entry| entry.title.len() + 1).max().unwrap_or(1);
         let text = pixels(line_height(CAPITAL) * lines as f64 + 5.0);
-        let cell = (picture.0 + beside, picture.1.max(inset.0) + text);
+        // Small pictures stand further apart, so that their labels can be read.
+        let cell = ((picture.0 + beside).max(label_width(entries)), picture.1.max(inset.0) + text);
         let count = u32::try_from(entries.len()).unwrap_or(u32::MAX);
         let columns = layout.columns.clamp(1, count.max(1));
         let rows = count.div_ceil(columns);
-        let notes = pixels(line_height(CAPITAL) * layout.notes.len() as f64);
         let along = |cells: u32, side: u32| {
             (2 * MARGIN).saturating_add(cells.saturating_mul(side)).saturating_add(GAP * cells.saturating_sub(1))
         };
-        let size =
-            (along(columns, cell.0), along(rows, cell.1).saturating_add(if notes > 0 { notes + GAP } else { 0 }));
-        Self { picture, inset, cell, columns, rows, size }
+        let width = along(columns, cell.0);
+        let notes: Vec<String> =
+            layout.notes.iter().flat_map(|note| wrapped(note, f64::from(width - 2 * MARGIN))).collect();
+        let foot = if notes.is_empty() { 0 } else { pixels(line_height(CAPITAL) * notes.len() as f64) + GAP };
+        let size = (width, along(rows, cell.1).saturating_add(foot));
+        Self { picture, inset, cell, columns, rows, notes, size }
     }
 
     /// The top left corner of a cell.
@@ -131,6 +138,27 @@ fn draw_entry(
     }
 }
 
+/// What the longest label needs.
+fn label_width(entries: &[Entry]) -> u32 {
+    let labels = entries.iter().flat_map(|entry| entry.title.iter().chain([&entry.numbers]));
+    pixels(labels.map(|label| text_width(label, CAPITAL)).fold(0.0, f64::max)).min(MAX_LABEL)
+}
+
+/// The text in lines that are not wider than `width`, broken at blanks.
+fn wrapped(text: &str, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} {word}"), CAPITAL) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// A line just around a rectangle of pixels.
 fn outline(sketch: &mut Sketch, [left, top]: [u32; 2], (width, height): (u32, u32), color: &str) {
     let [x, y] = [f64::from(left) - 0.5, f64::from(top) - 0.5];
@@ -149,4 +177,30 @@ fn pixels(length: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; lengths are not negative")]
     let pixels = length.ceil() as u32;
     pixels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn notes_are_broken_at_blanks_and_lose_no_word() {
+        let note = "RMSE: root of the mean square difference, in codes of 0 to 255.";
+        let lines = wrapped(note, 150.0);
+        assert!(lines.len() > 2 && lines.iter().all(|line| text_width(line, CAPITAL) <= 150.0), "{lines:?}");
+        assert_eq!(lines.join(" "), note);
+        assert_eq!(wrapped("unbreakable", 1.0), ["unbreakable"]);
+    }
+
+    #[test]
+    fn labels_of_small_pictures_have_room() {
+        let entry = Entry {
+            image: Rgba8Image::new(4, 4),
+            title: vec!["level-filter nearest".to_owned()],
+            numbers: "RMSE 1.25".to_owned(),
+        };
+        let layout = Layout { columns: 1, inset: None, notes: Vec::new() };
+        let grid = Grid::new(&[entry], &layout);
+        assert!(f64::from(grid.cell.0) >= text_width("level-filter nearest", CAPITAL));
+    }
 }

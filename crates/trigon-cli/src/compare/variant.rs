@@ -51,9 +51,8 @@ impl Variant {
         common: &[(String, String)],
     ) -> Result<Self, Failure> {
         let all: Vec<(String, String)> = values.iter().chain(common).cloned().collect();
-        let (options, given, written) = CompareOptions::with(arguments, &all).map_err(|error| {
-            Failure::Table(format!("{}\nWhat can be varied: {}.\n", error.render(), names().join(", ")))
-        })?;
+        let (options, given, written) =
+            CompareOptions::with(arguments, &all).map_err(|error| Failure::Table(error.render().to_string()))?;
         Ok(Self { values, common: common.to_vec(), options: options.render, given, written })
     }
 

@@ -46,6 +46,11 @@ pub(crate) struct PictureOptions {
     /// How often a pixel is shaded
     #[arg(long, value_enum, value_name = "RATE", default_value = "pixel")]
     pub(crate) shading: RateChoice,
+
+    /// Pixels of this picture along one of the picture that was asked for; more only where `trigon compare` draws what
+    /// it measures against.
+    #[arg(skip = 1.0)]
+    pub(crate) enlargement: f32,
 }
 
 impl PictureOptions {

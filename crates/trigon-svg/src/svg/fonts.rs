@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use usvg::fontdb::Database;
 
 /// Where fonts come from, and which family stands for which generic one.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FontOptions {
     /// Whether the fonts installed on this machine are used. Text then differs from machine to machine.
     pub use_system_fonts: bool,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::{FontOptions, Limits};
 
 /// How an SVG file is read.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The folder that relative links to images start from; without it, linked files are not read.
     pub folder: Option<PathBuf>,
