@@ -71,14 +71,14 @@ impl Sketch {
         ));
     }
 
-    /// A polygon, filled as far as `opacity` says, with an outline; cut off outside of the rectangle `clip`.
-    pub(crate) fn polygon(&mut self, corners: &[[f64; 2]], color: &str, opacity: f64, line_px: f64, clip: [f64; 4]) {
+    /// The outline of a polygon, cut off outside of the rectangle `clip`.
+    pub(crate) fn polygon_outline(&mut self, corners: &[[f64; 2]], color: &str, line_px: f64, clip: [f64; 4]) {
         let points: String = corners.iter().map(|[x, y]| format!("{x},{y} ")).collect();
         let [x, y, width, height] = clip;
         let id = self.elements.len();
         self.element(format_args!(
             "<clipPath id=\"c{id}\"><path d=\"M{x} {y}h{width}v{height}h{}z\"/></clipPath><polygon clip-path=\"url(#c{id})\" \
-             points=\"{points}\" fill=\"{color}\" fill-opacity=\"{opacity}\" stroke=\"{color}\" \
+             points=\"{points}\" fill=\"none\" stroke=\"{color}\" \
              stroke-width=\"{line_px}\" stroke-linejoin=\"round\"/>",
             -width
         ));

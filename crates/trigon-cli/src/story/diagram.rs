@@ -3,7 +3,7 @@
 //! Left the pixels around, as the picture has them, with the edges of all triangles whose box touches the pixel; right
 //! the pixel alone, with its samples in the colours that they ended with. Below what each colour of a line stands for.
 
-use super::triangle::{listed, names, number_in_mesh, samples_with};
+use super::triangle::{listed, names, number_in_mesh, samples_shaded};
 use crate::failure::Failure;
 use crate::figure::{Anchor, Sketch, enlarged, lay_over, line_height};
 use trigon::pipeline::{Outcome, TriangleStory};
@@ -49,9 +49,10 @@ pub(crate) fn to_picture(story: &SceneStory, picture: &Rgba8Image) -> Result<Rgb
 
     let mut sketch = Sketch::new(width, height);
     around.grid(&mut sketch);
+    // What is seen comes last, over the lines of what is not.
     for view in [&around, &inside] {
-        for (number, triangle) in &shown {
-            view.triangle(&mut sketch, *number, triangle);
+        for (number, triangle) in shown.iter().rev() {
+            view.triangle(&mut sketch, *number, triangle, !samples_shaded(story, *number).is_empty());
         }
     }
     around.mark(&mut sketch, [x, y].map(f64::from));
@@ -62,14 +63,14 @@ pub(crate) fn to_picture(story: &SceneStory, picture: &Rgba8Image) -> Result<Rgb
     Ok(out)
 }
 
-/// Those that are drawn at some sample first, so that the legend has them, then the others; with their numbers.
+/// Those that are seen at some sample first, so that the legend has them, then the others; with their numbers.
 fn shown_triangles(story: &SceneStory) -> Vec<(usize, &TriangleStory)> {
     let mut shown: Vec<(usize, &TriangleStory)> = story.pixel.triangles.iter().enumerate().collect();
-    let rank = |triangle: &TriangleStory| {
-        let has = |outcome| triangle.tests.iter().any(|test| test.outcome == outcome);
-        if has(Outcome::Drawn) { 0 } else { 2 - u8::from(triangle.tests.iter().any(|test| test.is_covered)) }
+    let rank = |(number, triangle): &(usize, &TriangleStory)| {
+        let is_seen = !samples_shaded(story, *number).is_empty();
+        if is_seen { 0 } else { 2 - u8::from(triangle.tests.iter().any(|test| test.is_covered)) }
     };
-    shown.sort_by_key(|(_, triangle)| rank(triangle));
+    shown.sort_by_key(rank);
     shown
 }
 
@@ -109,11 +110,11 @@ impl View {
         sketch.frame([x, y, self.scale, self.scale], 2.0, INK);
     }
 
-    fn triangle(&self, sketch: &mut Sketch, number: usize, triangle: &TriangleStory) {
+    /// The edges; those of triangles that are seen are thick.
+    fn triangle(&self, sketch: &mut Sketch, number: usize, triangle: &TriangleStory, is_seen: bool) {
         let corners = triangle.corners.map(|corner| self.place(corner.map(|value| f64::from(value) / 256.0)));
-        let is_drawn = triangle.tests.iter().any(|test| test.outcome == Outcome::Drawn);
-        let (line, opacity) = if is_drawn { (2.5, 0.16) } else { (1.0, 0.0) };
-        sketch.polygon(&corners, LINES[number % LINES.len()], opacity, line, self.square());
+        let line = if is_seen { 3.0 } else { 1.0 };
+        sketch.polygon_outline(&corners, LINES[number % LINES.len()], line, self.square());
     }
 
     /// Samples in the colours that they ended with; the ring is that of the triangle that was drawn last.
@@ -176,9 +177,9 @@ fn legend(sketch: &mut Sketch, story: &SceneStory, shown: &[(usize, &TriangleSto
         let of = names(story, triangle);
         let comma = if of.is_empty() { "" } else { ", " };
         let in_mesh = number_in_mesh(story, triangle);
-        let text = format!("triangle {number} {}; number {in_mesh}{comma}{of}", fate(triangle));
-        let is_drawn = triangle.tests.iter().any(|test| test.outcome == Outcome::Drawn);
-        let ink = if is_drawn { INK } else { PALE_INK };
+        let seen = samples_shaded(story, *number);
+        let text = format!("triangle {number} {}; number {in_mesh}{comma}{of}", fate(triangle, &seen));
+        let ink = if seen.is_empty() { PALE_INK } else { INK };
         sketch.text([left + 2.0 * CAPITAL, y], Anchor::Left, CAPITAL, ink, &text);
     }
     if shown.len() > LISTED {
@@ -188,16 +189,19 @@ fn legend(sketch: &mut Sketch, story: &SceneStory, shown: &[(usize, &TriangleSto
 }
 
 /// What the samples saw of a triangle.
-fn fate(triangle: &TriangleStory) -> String {
+fn fate(triangle: &TriangleStory, seen: &[usize]) -> String {
     let covered: Vec<usize> =
         triangle.tests.iter().enumerate().filter(|(_, test)| test.is_covered).map(|(s, _)| s).collect();
-    let drawn = samples_with(triangle, Outcome::Drawn);
+    let has = |outcome| triangle.tests.iter().any(|test| test.outcome == outcome);
     let plural = if covered.len() == 1 { "" } else { "s" };
-    match (covered.as_slice(), drawn.as_slice()) {
+    let covers = format!("covers sample{plural} {}", listed(&covered));
+    match (covered.as_slice(), seen) {
         ([], _) => "covers no sample".to_owned(),
-        (_, []) => format!("covers sample{plural} {} and is not seen there", listed(&covered)),
-        _ if covered == drawn => format!("covers sample{plural} {} and is drawn", listed(&covered)),
-        _ => format!("covers sample{plural} {} and is drawn at {}", listed(&covered), listed(&drawn)),
+        (_, []) if has(Outcome::Drawn) => format!("{covers} and is hidden by what is drawn later"),
+        (_, []) if has(Outcome::Discarded) => format!("{covers} and is cut out there"),
+        (_, []) => format!("{covers} and is hidden there"),
+        (_, seen) if covered == seen => format!("{covers} and is seen there"),
+        (_, seen) => format!("{covers} and is seen at {}", listed(seen)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::number::{columns, number};
 use super::triangle::{
-    blend, compare, linear_weights, listed, names, number_in_mesh, outcome, samples_of, samples_with,
+    blend, compare, linear_weights, listed, names, number_in_mesh, outcome, samples_of, samples_shaded, samples_with,
 };
 use std::fmt::Write;
 use trigon::explain::{FragmentFacts, Note, TextureRead};
@@ -58,15 +58,15 @@ fn triangle_list(out: &mut String, story: &SceneStory) {
         return;
     }
     line!(out, "Triangles whose box touches the pixel, as they are drawn: {}", triangles.len());
-    line!(out, "  {:>3} {:>5} {:>9}  {:<18} {:<18} of", "", "draw", "number", "covers samples", "drawn at");
+    let columns = ["covers samples", "passes at", "shaded at"].map(|column| format!("{column:<15}")).concat();
+    line!(out, "  {:>3} {:>5} {:>9}  {columns} of", "", "draw", "number");
     for (i, triangle) in triangles.iter().enumerate() {
         let covered: Vec<usize> =
             triangle.tests.iter().enumerate().filter(|(_, test)| test.is_covered).map(|(s, _)| s).collect();
         let drawn = samples_with(triangle, Outcome::Drawn);
         let number = number_in_mesh(story, triangle);
-        let (covered, drawn) = (listed(&covered), listed(&drawn));
-        let row =
-            format!("  {i:>3} {:>5} {number:>9}  {covered:<18} {drawn:<18} {}", triangle.draw, names(story, triangle));
+        let columns = [covered, drawn, samples_shaded(story, i)].map(|samples| format!("{:<15}", listed(&samples)));
+        let row = format!("  {i:>3} {:>5} {number:>9}  {} {}", triangle.draw, columns.concat(), names(story, triangle));
         line!(out, "{}", row.trim_end());
     }
 }
@@ -98,7 +98,7 @@ fn one_triangle(out: &mut String, story: &SceneStory, i: usize, triangle: &Trian
     line!(out, "  depth {depth} at corner 0, {dx} more per pixel to the right, {dy} down; 1 is near, 0 far");
     let writes = if triangle.depth_test.write { "written" } else { "not written" };
     line!(out, "  a sample passes if it is {}; depth is {writes}", compare(triangle.depth_test));
-    tests(out, &story.pixel, triangle);
+    tests(out, &story.pixel, triangle, &samples_shaded(story, i));
 }
 
 fn of(story: &SceneStory, triangle: &TriangleStory) -> String {
@@ -119,7 +119,7 @@ fn pixels(value: i32) -> f32 {
     value / 256.0
 }
 
-fn tests(out: &mut String, pixel: &PixelStory, triangle: &TriangleStory) {
+fn tests(out: &mut String, pixel: &PixelStory, triangle: &TriangleStory, shaded: &[usize]) {
     line!(
         out,
         "  {:<22}{:>13}{:>13}{:>13}{:>13}{:>13}",
@@ -135,7 +135,9 @@ fn tests(out: &mut String, pixel: &PixelStory, triangle: &TriangleStory) {
         let place = format!("{s:>2} at {x:>3} {y:>3}");
         let row = format!("    {place:<20}{a:>13}{b:>13}{c:>13}");
         let depths = if test.is_covered { columns(&[test.depth, test.stored]) } else { " ".repeat(26) };
-        line!(out, "{row}{depths}  {}", outcome(test.outcome));
+        let is_covered_later = test.outcome == Outcome::Drawn && !shaded.contains(&s);
+        let later = if is_covered_later { ", later hidden" } else { "" };
+        line!(out, "{row}{depths}  {}{later}", outcome(test.outcome));
     }
 }
 

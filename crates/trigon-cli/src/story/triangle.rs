@@ -55,13 +55,25 @@ pub(super) fn samples_with(triangle: &TriangleStory, outcome: Outcome) -> Vec<us
     triangle.tests.iter().enumerate().filter(|(_, test)| test.outcome == outcome).map(|(s, _)| s).collect()
 }
 
-/// Numbers as `0 to 15`, `3`, `0 2 3` or `none`.
+/// The samples whose colour comes from the triangle with this number, alone or blended: those that it was shaded for.
+pub(super) fn samples_shaded(story: &SceneStory, number: usize) -> Vec<usize> {
+    let own = story.pixel.fragments.iter().filter(|fragment| fragment.triangle == number && fragment.color.is_some());
+    samples_of(own.fold(0, |mask, fragment| mask | fragment.samples))
+}
+
+/// Numbers, rising, as `0 to 15`, `3`, `0 2 3`, `0 to 13, 15` or `none`.
 pub(super) fn listed(numbers: &[usize]) -> String {
-    match numbers {
-        [] => "none".to_owned(),
-        [first, .., last] if numbers.len() > 2 && last - first + 1 == numbers.len() => format!("{first} to {last}"),
-        _ => numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
+    if numbers.is_empty() {
+        return "none".to_owned();
     }
+    let runs = || numbers.chunk_by(|a, b| a + 1 == *b);
+    let is_long = |run: &[usize]| run.len() > 2;
+    let separator = if runs().any(is_long) { ", " } else { " " };
+    let written = runs().flat_map(|run| match run {
+        [first, .., last] if is_long(run) => vec![format!("{first} to {last}")],
+        _ => run.iter().map(ToString::to_string).collect(),
+    });
+    written.collect::<Vec<_>>().join(separator)
 }
 
 /// The samples of a mask, one bit each.
@@ -100,6 +112,7 @@ mod tests {
         assert_eq!(listed(&[0, 1]), "0 1");
         assert_eq!(listed(&[0, 1, 2, 3]), "0 to 3");
         assert_eq!(listed(&[0, 2, 3]), "0 2 3");
+        assert_eq!(listed(&[0, 1, 2, 3, 5, 8, 9, 10]), "0 to 3, 5, 8 to 10");
         assert_eq!(samples_of(0b1011), [0, 1, 3]);
     }
 }
