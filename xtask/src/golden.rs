@@ -1,4 +1,5 @@
-//! `cargo xtask bless` and `cargo xtask report`: thin wrappers around the golden tests of `trigon-tests`.
+//! `cargo xtask bless` and `cargo xtask report`: thin wrappers around the golden tests: those of `trigon-tests`, and those
+//! of `trigon-cli`, which draws presets.
 //!
 //! The tests compare with the stored pictures, and rewrite those that fail when `TRIGON_BLESS=1` is set. Both
 //! commands only start them or say where they left their report, so that there is one comparison, not two.
@@ -9,20 +10,26 @@ use std::process::Command;
 /// The page that a failing golden test leaves behind, below the target folder.
 const REPORT: &str = "golden-report/index.html";
 
+/// Where golden tests are: package, test, and what their names have in them.
+const TESTS: [(&str, &str, &str); 2] = [("trigon-tests", "golden", ""), ("trigon-cli", "cli", "goldens::")];
+
 /// Runs the golden tests with permission to rewrite the pictures that fail; `filter` is a part of the test's name.
 pub(crate) fn bless(root: &Path, filter: Option<&str>) -> Result<(), String> {
-    let status = Command::new(env!("CARGO"))
-        .current_dir(root)
-        .args(["test", "--package", "trigon-tests", "--test", "golden", "--", filter.unwrap_or_default()])
-        .env("TRIGON_BLESS", "1")
-        .status()
-        .map_err(|error| format!("cargo does not start: {error}"))?;
-    if status.success() {
-        println!("Blessed. Look at what changed before committing: git diff --stat -- tests/golden");
-        Ok(())
-    } else {
-        Err(format!("the golden tests fail even while blessing ({status}): that is not a picture's fault"))
+    for (package, test, names) in TESTS {
+        let status = Command::new(env!("CARGO"))
+            .current_dir(root)
+            .args(["test", "--package", package, "--test", test, "--", filter.unwrap_or(names)])
+            .env("TRIGON_BLESS", "1")
+            .status()
+            .map_err(|error| format!("cargo does not start: {error}"))?;
+        if !status.success() {
+            return Err(format!(
+                "the golden tests of {package} fail even while blessing ({status}): that is not a picture's fault"
+            ));
+        }
     }
+    println!("Blessed. Look at what changed before committing: git diff --stat -- tests/golden");
+    Ok(())
 }
 
 /// Prints the path of the report of differences.

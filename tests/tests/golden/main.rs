@@ -3,7 +3,6 @@
 //! `cargo xtask bless [FILTER]` accepts what is drawn now. Look at each changed picture before committing it.
 
 mod blend;
-mod courses;
 mod effects;
 mod lines;
 mod loaders;
@@ -27,7 +26,6 @@ fn frame_hashes() {
 fn every_stored_picture_belongs_to_a_case() {
     let sources = [
         include_str!("blend.rs"),
-        include_str!("courses.rs"),
         include_str!("effects.rs"),
         include_str!("lines.rs"),
         include_str!("loaders.rs"),
@@ -36,6 +34,7 @@ fn every_stored_picture_belongs_to_a_case() {
         include_str!("shading.rs"),
         include_str!("svg.rs"),
         include_str!("texture.rs"),
+        include_str!("../../../crates/trigon-cli/tests/cli/goldens.rs"),
     ];
     let is_drawn = |case: &String| sources.iter().any(|source| source.contains(&format!("\"{case}\"")));
     let orphans: Vec<String> = stored_cases().into_iter().filter(|case| !is_drawn(case)).collect();

@@ -6,6 +6,7 @@ mod effects;
 mod explain;
 mod failures;
 mod formats;
+mod goldens;
 mod help;
 mod layers;
 mod pipes;
