@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::options::{CompareOptions, Given, RenderCommandOptions, Written};
 use crate::values::closest;
+use clap::error::ErrorKind;
 use std::ffi::OsString;
 use trigon::target::SamplePattern;
 
@@ -51,8 +52,16 @@ impl Variant {
         common: &[(String, String)],
     ) -> Result<Self, Failure> {
         let all: Vec<(String, String)> = values.iter().chain(common).cloned().collect();
-        let (options, given, written) =
-            CompareOptions::with(arguments, &all).map_err(|error| Failure::Table(error.render().to_string()))?;
+        let (options, given, written) = CompareOptions::with(arguments, &all).map_err(|error| {
+            // A value that has commas in it was perhaps cut at them.
+            let tip = match error.kind() {
+                ErrorKind::ValueValidation => {
+                    "\n  tip: --vary cuts values at commas, or where there are semicolons, at those alone\n"
+                }
+                _ => "",
+            };
+            Failure::Table(format!("{}{tip}", error.render()))
+        })?;
         Ok(Self { values, common: common.to_vec(), options: options.render, given, written })
     }
 
@@ -74,8 +83,8 @@ fn check_names(options: &CompareOptions) -> Result<(), Failure> {
         if !names.contains(name) {
             let list = names.join(", ");
             let hint = closest(name, names.iter().map(String::as_str))
-                .map_or(String::new(), |close| format!(" did you mean {close}?"));
-            return Err(Failure::usage(format!("--vary: \"{name}\" cannot be varied;{hint} These can: {list}")));
+                .map_or(String::new(), |close| format!("; did you mean {close}?"));
+            return Err(Failure::usage(format!("--vary: \"{name}\" cannot be varied{hint}\nThese can: {list}")));
         }
         if options.axes[..i].iter().any(|earlier| earlier.name == *name) {
             return Err(Failure::usage(format!("--vary: {name} comes twice; give all of its values at once")));

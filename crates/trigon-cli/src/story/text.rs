@@ -143,11 +143,13 @@ fn tests(out: &mut String, pixel: &PixelStory, triangle: &TriangleStory, shaded:
 
 fn one_fragment(out: &mut String, pixel: &PixelStory, i: usize, fragment: &FragmentStory) {
     let facts = &fragment.facts;
-    let samples = listed(&samples_of(fragment.samples));
+    let samples = samples_of(fragment.samples);
+    let plural = if samples.len() == 1 { "" } else { "s" };
+    let samples = listed(&samples);
     let [x, y] = facts.point.map(number);
     let kind = if fragment.color.is_some() { "Fragment" } else { "Alpha test" };
     line!(out);
-    line!(out, "{kind} {i}: triangle {} at samples {samples}, at {x} {y} in the framebuffer", fragment.triangle);
+    line!(out, "{kind} {i}: triangle {} at sample{plural} {samples}, at {x} {y} in the framebuffer", fragment.triangle);
     let triangle = pixel.triangles.get(fragment.triangle);
     weights(out, pixel.interpolation, facts, triangle);
     if !facts.varyings.is_empty() {

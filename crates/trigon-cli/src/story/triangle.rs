@@ -15,13 +15,20 @@ pub(super) fn label<'s>(story: &'s SceneStory, triangle: &TriangleStory) -> Opti
     story.draws.get(usize::try_from(triangle.draw).ok()?)
 }
 
-/// Object, group and material, as far as they have names.
+/// What of a mesh it is, and the names of object, group and material, as far as they have some.
 pub(super) fn names(story: &SceneStory, triangle: &TriangleStory) -> String {
     let Some(label) = label(story, triangle) else { return String::new() };
     let material = label.material.as_deref().unwrap_or("");
     let parts = [("object", label.object.as_str()), ("group", label.group.as_str()), ("material", material)];
     let named = parts.iter().filter(|(_, name)| !name.is_empty()).map(|(what, name)| format!("{what} {name}"));
-    named.collect::<Vec<_>>().join(", ")
+    let names = named.collect::<Vec<_>>().join(", ");
+    // Lines and points are drawn as triangles of their own.
+    let kind = match triangle.vertices {
+        [a, b, c] if a == b && b == c => "a point",
+        [a, _, c] if a == c => "a line",
+        _ => return names,
+    };
+    if names.is_empty() { kind.to_owned() } else { format!("{kind} of {names}") }
 }
 
 pub(super) fn outcome(outcome: Outcome) -> &'static str {

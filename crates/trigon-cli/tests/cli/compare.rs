@@ -85,6 +85,7 @@ fn misuse_is_explained() {
     ]);
     folder.run("compare cube.obj -o a.png --vary size=1,4").misuses_with(&["\"size\" cannot be varied", "samples"]);
     folder.run("compare cube.obj -o a.png --vary wrap=clamp,around").misuses_with(&["around", "mirror", "--wrap"]);
+    folder.run("compare cube.obj -o a.png --vary eye=1,2,3").misuses_with(&["--eye", "semicolons"]);
     folder.run("compare cube.obj -o a.png --vary samples=4,5").misuses_with(&["--samples 5"]);
     folder.run("compare cube.obj -o a.png --vary samples=1,4 --vary samples=2").misuses_with(&["samples comes twice"]);
     folder.run("compare cube.obj -o a.png --vary samples=1,4 --inset 310,0,20").misuses_with(&["--inset", "320x240"]);
