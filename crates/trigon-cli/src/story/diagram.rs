@@ -24,8 +24,11 @@ const PALE_INK: &str = "#59616b";
 const GRID: &str = "#8a919b";
 const PAPER: [u8; 4] = [255; 4];
 
-/// Colours of lines, told apart by most eyes (after Okabe and Ito).
+/// Colours of the triangles that are shown first, told apart by most eyes (after Okabe and Ito).
 const LINES: [&str; 8] = ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a5195", "#3b3b3b"];
+
+/// The colour of all others.
+const OTHER: &str = "#a4abb4";
 
 /// More triangles than this are left out of the legend.
 const LISTED: usize = 12;
@@ -51,12 +54,12 @@ pub(crate) fn to_picture(story: &SceneStory, picture: &Rgba8Image) -> Result<Rgb
     around.grid(&mut sketch);
     // What is seen comes last, over the lines of what is not.
     for view in [&around, &inside] {
-        for (number, triangle) in shown.iter().rev() {
-            view.triangle(&mut sketch, *number, triangle, !samples_shaded(story, *number).is_empty());
+        for (place, (number, triangle)) in shown.iter().enumerate().rev() {
+            view.triangle(&mut sketch, line_color(place), triangle, !samples_shaded(story, *number).is_empty());
         }
     }
     around.mark(&mut sketch, [x, y].map(f64::from));
-    inside.samples(&mut sketch, story);
+    inside.samples(&mut sketch, story, &shown);
     sketch.frame([inside.left, f64::from(MARGIN), f64::from(SIDE), f64::from(SIDE)], 2.0, INK);
     legend(&mut sketch, story, &shown);
     lay_over(&mut out, &sketch.draw()?, [0, 0]);
@@ -72,6 +75,11 @@ fn shown_triangles(story: &SceneStory) -> Vec<(usize, &TriangleStory)> {
     };
     shown.sort_by_key(rank);
     shown
+}
+
+/// The colour of the triangle that is shown at this place.
+fn line_color(place: usize) -> &'static str {
+    LINES.get(place).copied().unwrap_or(OTHER)
 }
 
 /// A square of the sheet that shows part of the framebuffer.
@@ -111,14 +119,14 @@ impl View {
     }
 
     /// The edges; those of triangles that are seen are thick.
-    fn triangle(&self, sketch: &mut Sketch, number: usize, triangle: &TriangleStory, is_seen: bool) {
+    fn triangle(&self, sketch: &mut Sketch, color: &str, triangle: &TriangleStory, is_seen: bool) {
         let corners = triangle.corners.map(|corner| self.place(corner.map(|value| f64::from(value) / 256.0)));
         let line = if is_seen { 3.0 } else { 1.0 };
-        sketch.polygon_outline(&corners, LINES[number % LINES.len()], line, self.square());
+        sketch.polygon_outline(&corners, color, line, self.square());
     }
 
     /// Samples in the colours that they ended with; the ring is that of the triangle that was drawn last.
-    fn samples(&self, sketch: &mut Sketch, story: &SceneStory) {
+    fn samples(&self, sketch: &mut Sketch, story: &SceneStory, shown: &[(usize, &TriangleStory)]) {
         let pixel = &story.pixel;
         let radius = match pixel.samples.len() {
             0..=4 => 19.0,
@@ -129,7 +137,9 @@ impl View {
             let offset = position.map(|value| f64::from(value) / 256.0);
             let [x, y] = self.place([self.origin[0] + offset[0], self.origin[1] + offset[1]]);
             let drawn = |triangle: &TriangleStory| triangle.tests.get(s).is_some_and(|t| t.outcome == Outcome::Drawn);
-            let ring = pixel.triangles.iter().rposition(drawn).map_or(GRID, |number| LINES[number % LINES.len()]);
+            let last = pixel.triangles.iter().rposition(drawn);
+            let place = last.and_then(|last| shown.iter().position(|(number, _)| *number == last));
+            let ring = place.map_or(GRID, line_color);
             let [r, g, b] = encoded(pixel.color_space, color);
             sketch.disc([x, y], radius + 3.5, "#ffffff", 1.0, "#ffffff");
             sketch.disc([x, y], radius, &format!("rgb({r},{g},{b})"), 4.0, ring);
@@ -171,9 +181,9 @@ fn legend(sketch: &mut Sketch, story: &SceneStory, shown: &[(usize, &TriangleSto
     if shown.is_empty() {
         sketch.text([left, next()], Anchor::Left, CAPITAL, PALE_INK, "no triangle's box touches the pixel");
     }
-    for (number, triangle) in shown.iter().take(LISTED) {
+    for (place, (number, triangle)) in shown.iter().enumerate().take(LISTED) {
         let y = next();
-        sketch.rectangle([left, y - CAPITAL, CAPITAL, CAPITAL], LINES[number % LINES.len()]);
+        sketch.rectangle([left, y - CAPITAL, CAPITAL, CAPITAL], line_color(place));
         let of = names(story, triangle);
         let comma = if of.is_empty() { "" } else { ", " };
         let in_mesh = number_in_mesh(story, triangle);
