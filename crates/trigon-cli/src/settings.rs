@@ -54,7 +54,7 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
         ..RenderSettings::new(picture.size.width, picture.size.height)
     };
     if options.preset.preset == Some(Preset::Tinyrenderer) {
-        settings.shift_px = tinyrenderer::SHIFT_PX.map(|shift| shift * picture.enlargement);
+        settings.shift_px = tinyrenderer::SHIFT_PX.map(|shift| shift * f32::from(picture.enlargement));
     }
     settings.wireframe = shading.wireframe.map(|mode| wireframe(mode, &settings));
     Ok(settings)

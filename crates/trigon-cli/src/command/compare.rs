@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::hash::PictureHash;
 use crate::json::Json;
 use crate::load;
-use crate::options::{CompareOptions, Given, Preset};
+use crate::options::{CompareOptions, Given};
 use crate::output::{Destination, Encoding, Images};
 use crate::report::{ReportTarget, write_report};
 use crate::terminal::Terminal;
@@ -156,9 +156,6 @@ fn layout(options: &CompareOptions, cells: &[Compared]) -> Layout {
     );
     if !options.no_times {
         notes[1] += " Times: the shortest of several frames.";
-    }
-    if options.render.render.preset.preset == Some(Preset::Cs184) {
-        notes.push("Lines of CS184 have one pixel at any size: in the reference they are half as wide.".to_owned());
     }
     Layout { columns, inset: options.inset, notes }
 }

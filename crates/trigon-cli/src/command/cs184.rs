@@ -66,6 +66,7 @@ fn course_options(options: &RenderCommandOptions, given: Given) -> Result<Option
             NearestTexel::Course => NearestRule::Course,
         },
         view,
+        enlargement: picture.enlargement.into(),
         ..Options::new(width, height)
     })
 }

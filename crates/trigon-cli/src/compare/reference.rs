@@ -2,8 +2,9 @@
 //!
 //! Models are drawn at twice the width and height (lines, points and outlines twice as wide, as far as lines go) with 16
 //! samples a pixel on a grid, shaded at every sample, with trilinear anisotropic textures (16 points); then the mean of
-//! each 2 x 2 pixels is taken in linear light and encoded. So each pixel is the mean of 64 shaded samples in an 8 x 8 grid. SVG files are drawn at twice
-//! the size with 16 samples on a grid; their mean is taken of encoded, premultiplied colours, as SVG blends.
+//! each 2 x 2 pixels is taken in linear light and encoded. So each pixel is the mean of 64 shaded samples in an 8 x 8
+//! grid. SVG files are drawn at twice the size with 16 samples on a grid; their mean is taken of encoded, premultiplied
+//! colours, as SVG blends. Lines of CS184, one pixel wide by definition, are those of the picture.
 
 use super::cell::{Drawer, Subject};
 use super::variant::Variant;
@@ -106,7 +107,7 @@ fn make(
     let mut large = variant.with(arguments, &values)?;
     large.options.render.output.quiet = true;
     (large.options.render.picture.size.width, large.options.render.picture.size.height) = (2 * width, 2 * height);
-    large.options.render.picture.enlargement = 2.0;
+    large.options.render.picture.enlargement = 2;
     large.given.size = true;
     let effects = &mut large.options.render.effects;
     if let Some(outline) = effects.outline() {

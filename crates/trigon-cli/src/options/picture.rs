@@ -49,8 +49,8 @@ pub(crate) struct PictureOptions {
 
     /// Pixels of this picture along one of the picture that was asked for; more only where `trigon compare` draws what
     /// it measures against.
-    #[arg(skip = 1.0)]
-    pub(crate) enlargement: f32,
+    #[arg(skip = 1_u16)]
+    pub(crate) enlargement: u16,
 }
 
 impl PictureOptions {

@@ -109,3 +109,20 @@ fn the_reference_has_the_shift_of_a_preset() {
     let errors: Vec<f64> = values(report.text(), "rmse").iter().map(|value| value.parse().unwrap()).collect();
     assert!(errors[1] * 4.0 < errors[0], "{errors:?}");
 }
+
+/// Lines of CS184 are a pixel wide, whatever is chosen: what differs from the reference is triangles alone.
+#[test]
+fn the_reference_has_the_lines_of_cs184() {
+    let lines = "<svg width='60' height='50'><line x1='3' x2='50' y1='5' y2='41' stroke='#0000ff'/></svg>";
+    let triangle = "<svg width='60' height='50'><polygon points='3,5 50,9 30,41'/></svg>";
+    let folder = Folder::new().with("lines.svg", lines).with("triangle.svg", triangle);
+    let errors = |file: &str| -> Vec<f64> {
+        let line =
+            format!("compare {file} --preset cs184 --size 80x60 --vary samples=1,4,9,16 -o s.png --no-times --json");
+        let report = folder.run(&line).succeeds_quietly();
+        values(report.text(), "rmse").iter().map(|value| value.parse().unwrap()).collect()
+    };
+    assert_eq!(errors("lines.svg"), [0.0; 4]);
+    let falling = errors("triangle.svg");
+    assert!(falling.windows(2).all(|pair| pair[0] > pair[1]) && falling[3] > 0.0, "{falling:?}");
+}

@@ -20,6 +20,9 @@ pub struct Options {
     /// The centre and half of the side, in the file's units, of the square seen in the shorter side of the picture; without
     /// it the whole file, with a margin of a tenth.
     pub view: Option<[f64; 3]>,
+    /// Pixels along a side that stand for one of the course's, at least 1: points and lines, which are a pixel wide
+    /// whatever the view, are as much wider. For pictures that are scaled down afterwards.
+    pub enlargement: u32,
     /// Where the files of textures are looked for.
     pub folder: Option<PathBuf>,
     /// Threads at work; changes no pixel.
@@ -70,6 +73,7 @@ impl Options {
             level: LevelSampling::Zero,
             nearest: NearestRule::Holding,
             view: None,
+            enlargement: 1,
             folder: None,
             threads: 1,
         }

@@ -29,7 +29,7 @@ pub fn draw(bytes: &[u8], options: &Options) -> Result<(Rgba8Image, Vec<String>)
     let Scene { size, primitives, warnings } = read(bytes, options.folder.clone())?;
     let screen_from_file = view(options, size);
     let mut primitives: Vec<_> = primitives.into_iter().map(|primitive| moved(primitive, screen_from_file)).collect();
-    primitives.extend(frame(screen_from_file, size));
+    primitives.extend(frame(screen_from_file, size, f64::from(options.enlargement.max(1))));
 
     let mut pixels = vec![[255; 4]; width as usize * height as usize];
     let bands = pixels.chunks_mut((BAND_ROWS * width as usize).max(1)).enumerate();
@@ -74,11 +74,11 @@ fn moved(primitive: Primitive, map: Transform) -> Primitive {
     }
 }
 
-/// The frame, a pixel outside the page on the left and right; above and below as the course has it.
-fn frame(map: Transform, [width, height]: [f64; 2]) -> [Primitive; 4] {
+/// The frame, a point outside the page on the left and right; above and below as the course has it.
+fn frame(map: Transform, [width, height]: [f64; 2], point_size: f64) -> [Primitive; 4] {
     let corner = |at: Position, dx: f64, dy: f64| {
         let [x, y] = map.apply(at);
-        [x + dx, y + dy]
+        [x + dx * point_size, y + dy * point_size]
     };
     let a = corner([0.0, 0.0], -1.0, 1.0);
     let b = corner([width, 0.0], 1.0, 1.0);
@@ -109,6 +109,20 @@ mod tests {
         let options = Options { samples_per_axis: 2, ..Options::new(90, 131) };
         let one = draw(FILE.as_bytes(), &options).unwrap();
         assert_eq!(one, draw(FILE.as_bytes(), &Options { threads: 3, ..options }).unwrap());
+    }
+
+    /// Lines, points and the frame are the same, twice as large; of triangles there is more to see.
+    #[test]
+    fn an_enlarged_picture_has_the_same_lines() {
+        let lines = "<svg width='100px' height='50px'><line x1='3' x2='90' y1='5' y2='41' stroke='#0000ff'/>
+            <line x1='20' x2='24' y1='45' y2='3' stroke='#ff0000'/><rect x='50' y='9' width='0' height='0'/></svg>";
+        let (small, _) = draw(lines.as_bytes(), &Options::new(61, 47)).unwrap();
+        let options = Options { enlargement: 2, ..Options::new(122, 94) };
+        let (large, _) = draw(lines.as_bytes(), &options).unwrap();
+        for (x, y) in (0..94).flat_map(|y| (0..122).map(move |x| (x, y))) {
+            assert_eq!(large.pixel(x, y), small.pixel(x / 2, y / 2), "{x},{y}");
+        }
+        assert!(small.pixels().iter().filter(|pixel| **pixel != [255; 4]).count() > 150);
     }
 
     #[test]

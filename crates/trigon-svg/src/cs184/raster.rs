@@ -16,6 +16,8 @@ pub(super) struct Band<'a> {
     rows: usize,
     /// Samples a pixel along each axis.
     n: usize,
+    /// Pixels along a side of a point.
+    point_size: usize,
     /// The samples of a pixel lie together; pixels in row order.
     samples: Vec<[f32; 3]>,
 }
@@ -27,20 +29,26 @@ impl<'a> Band<'a> {
     /// White rows.
     pub(super) fn new(options: &'a Options, top: usize, rows: usize) -> Self {
         let (width, n) = (options.width as usize, options.samples_per_axis.clamp(1, 4) as usize);
-        Self { options, width, top, rows, n, samples: vec![[1.0; 3]; width * rows * n * n] }
+        let point_size = options.enlargement.max(1) as usize;
+        Self { options, width, top, rows, n, point_size, samples: vec![[1.0; 3]; width * rows * n * n] }
     }
 
     /// Paints one primitive over what is there.
     pub(super) fn draw(&mut self, primitive: &Primitive) {
         let (first, last) = primitive.rows();
-        if last < to_f64(self.top) || first >= to_f64(self.top + self.rows) {
+        let beyond = to_f64(self.point_size - 1);
+        if last + beyond < to_f64(self.top) || first - beyond >= to_f64(self.top + self.rows) {
             return;
         }
+        let in_points = |at: &Position| at.map(|coordinate| coordinate / to_f64(self.point_size));
         match primitive {
-            Primitive::Point { at, color } => self.point(at[0].floor(), at[1].floor(), *color),
-            Primitive::Line { from, to, color } => self.line(*from, *to, *color),
+            Primitive::Point { at, color } => {
+                let [x, y] = in_points(at);
+                self.point(x.floor(), y.floor(), *color);
+            }
+            Primitive::Line { from, to, color } => self.line(in_points(from), in_points(to), *color),
             Primitive::Triangle { corners, paint } => self.triangle(*corners, paint),
-            Primitive::Picture { from, to, texture } => self.picture(*from, *to, texture),
+            Primitive::Picture { from, to, texture } => self.picture(in_points(from), in_points(to), texture),
         }
     }
 
@@ -59,13 +67,20 @@ impl<'a> Band<'a> {
         self.samples.chunks_exact(count).map(mean).collect()
     }
 
-    /// Paints all samples of the pixel in column `x`, row `y` of the picture, if it is here.
+    /// Paints all samples of the point in column `x`, row `y`, as far as it is here. A point is a pixel, or as many along
+    /// a side as the picture is enlarged.
     fn point(&mut self, x: f64, y: f64, color: Color) {
-        let (top, bottom) = (to_f64(self.top), to_f64(self.top + self.rows));
-        if x >= 0.0 && x < to_f64(self.width) && y >= top && y < bottom {
-            let pixel = (to_usize(y) - self.top) * self.width + to_usize(x);
-            let count = self.n * self.n;
-            for sample in &mut self.samples[pixel * count..(pixel + 1) * count] {
+        let size = to_f64(self.point_size);
+        let columns = range(x * size, (x + 1.0) * size, 0, self.width);
+        // The place of a line without length is not a number.
+        let is_place = x >= 0.0 && y >= 0.0;
+        if !is_place || columns.is_empty() {
+            return;
+        }
+        let count = self.n * self.n;
+        for y in range(y * size, (y + 1.0) * size, self.top, self.top + self.rows) {
+            let row = (y - self.top) * self.width;
+            for sample in &mut self.samples[(row + columns.start) * count..(row + columns.end) * count] {
                 paint(sample, color);
             }
         }
@@ -157,10 +172,12 @@ impl<'a> Band<'a> {
         }
     }
 
-    /// A picture between two corners, one point a pixel.
+    /// A picture between two corners, point by point.
     fn picture(&mut self, from: Position, to: Position, texture: &Texture) {
-        let columns = range(from[0].floor(), to[0].floor() + 1.0, 0, self.width);
-        let rows = range(from[1].floor(), to[1].floor() + 1.0, self.top, self.top + self.rows);
+        let size = self.point_size;
+        let columns = range(from[0].floor(), to[0].floor() + 1.0, 0, self.width.div_ceil(size));
+        let last_row = (self.top + self.rows).div_ceil(size);
+        let rows = range(from[1].floor(), to[1].floor() + 1.0, self.top / size, last_row);
         let place = |at: usize, axis: usize| (to_f64(at) + 0.5 - from[axis]) / (to[axis] - from[axis] + 1.0);
         for y in rows {
             for x in columns.clone() {
