@@ -262,7 +262,11 @@ fn resolve(out: &mut String, story: &SceneStory) {
     }
     line!(out, "    {:<20}{}", "mean", columns(&end.mean));
     let [r, g, b, a] = end.bytes;
-    line!(out, "  as sRGB of 8 bits, straight alpha: {r} {g} {b} {a}");
+    let encoding = match story.pixel.color_space {
+        ColorSpace::Linear => "as sRGB of 8 bits",
+        ColorSpace::Encoded => "as 8 bits",
+    };
+    line!(out, "  {encoding}, straight alpha: {r} {g} {b} {a}");
     if story.color != end.bytes {
         let [r, g, b, a] = story.color;
         line!(

@@ -107,3 +107,19 @@ fn misuse_is_explained() {
     folder.run("explain a.svg -p 3,3").misuses_with(&["a.svg", "SVG"]);
     folder.run("explain missing.obj -p 3,3").fails_with(&["missing.obj"]);
 }
+
+#[test]
+fn shaders_of_courses_name_their_terms() {
+    let folder = textured();
+    let view = "--size 40x30 --pixel 20,15 --quiet";
+    let heights = "--shader displacement --height-map picture.tga";
+    let bump = folder.run(&format!("explain square.obj --preset games101-hw3 {heights} {view}"));
+    for words in ["tilted normal n'", "dU", "height a texel up", "kd, diffuse", "N.H", "specular term", "as 8 bits"] {
+        assert!(bump.text().contains(words), "{words}: {}", bump.text());
+    }
+    let toward_light = "--eye 0,0,3 --target 0,0,0";
+    let red = folder.run(&format!("explain square.obj --preset tinyrenderer {toward_light} {view}"));
+    for words in ["unit normal n", "n.l", "l mirrored, r", "its power of 35", "weight, s + m gloss", "bytes"] {
+        assert!(red.text().contains(words), "{words}: {}", red.text());
+    }
+}

@@ -13,8 +13,8 @@
 //! in display values, without a transfer function. H is the length of a texel as a vector of bytes, and
 //! `t = (x y / q, q, z y / q)` with `q = sqrt(x^2 + z^2)` of the normal (x, y, z), `b = n x t`: a frame that turns with
 //! the normal and knows nothing of u and v. v is the direction to a viewer who stands 10 units behind the camera, because
-//! the program takes the position of its camera, (0, 0, 10), for one in view space. Lingqi Yan, "GAMES101" (2020), homework 3; Jim Blinn,
-//! "Models of Light Reflection for Computer Synthesized Pictures", 1977.
+//! the program takes the position of its camera, (0, 0, 10), for one in view space. Lingqi Yan, "GAMES101" (2020),
+//! homework 3; Jim Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977.
 
 use crate::render::course::games101::Homework3;
 use crate::render::frame::FrameUniforms;
@@ -101,6 +101,8 @@ impl<'a> Games101<'a> {
                 self.reflect(l, point, pixel, moved, self.bumped(l, point, n), l.vec3(self.diffuse))
             }
         };
+        l.note_topic("colour", None);
+        l.note("of the formula", color);
         displayed(color, self.frame.color_space)
     }
 
@@ -120,8 +122,16 @@ impl<'a> Games101<'a> {
         let lighting = &self.frame.lighting;
         let mut sum = l.vec3(self.ambient) * effects.dim(l, l.vec3(lighting.ambient));
         let to_viewer = (l.vec3(self.viewer) - place).normalize();
-        for source in &lighting.sources {
+        l.note_topic("surface, in world space", None);
+        l.note("place that is lit", place);
+        l.note("unit normal N", n);
+        l.note("kd, diffuse reflectance", diffuse);
+        l.note("unit vector to the viewer V", to_viewer);
+        l.note("ambient term", sum);
+        for (number, source) in (0..).zip(&lighting.sources) {
             let (to_light, strength) = source.reach(l, place);
+            l.note_topic("light", Some(number));
+            l.note("unit vector to the light L", to_light);
             let cosine = n.dot(to_light);
             // The highlight of the course counts on both sides of a surface, and so does a shadow.
             let strength = effects.pass(l, source, point, to_light, l.f32(1.0), strength);
@@ -130,7 +140,15 @@ impl<'a> Games101<'a> {
             let light = l.vec3(source.color) * strength;
             sum += (diffuse * light) * cosine.max(0.0);
             sum += (l.vec3(self.specular) * light) * highlight;
+            l.note("I/r^2, light at the surface", light);
+            l.note("N.L", cosine);
+            l.note("diffuse term", (diffuse * light) * cosine.max(0.0));
+            l.note("N.H", n.dot(half));
+            l.note("its power of the exponent", highlight);
+            l.note("specular term", (l.vec3(self.specular) * light) * highlight);
         }
+        l.note_topic("sum", None);
+        l.note("of all terms", sum);
         sum
     }
 
@@ -158,7 +176,18 @@ impl<'a> Games101<'a> {
         let above = self.height(l, &stepped(l, &point.footprint, [0.0, -1.0 / height as f32]));
         let steepness = self.frame.relief.height * self.frame.relief.scale;
         let (du, dv) = ((right - here) * -steepness, (above - here) * -steepness);
-        self.to_world(((t * du + b * dv) + n).normalize())
+        let tilted = ((t * du + b * dv) + n).normalize();
+        l.note_topic("relief, in view space", None);
+        l.note("unit normal n", n);
+        l.note("tangent t", t);
+        l.note("bitangent b", b);
+        l.note("height here", here);
+        l.note("height a texel to the right", right);
+        l.note("height a texel up", above);
+        l.note("dU", du);
+        l.note("dV", dv);
+        l.note("tilted normal n'", tilted);
+        self.to_world(tilted)
     }
 
     /// The length of a texel as a vector of bytes: 0 to 441.

@@ -89,6 +89,11 @@ impl<'a> Tinyrenderer<'a> {
         let effects = Effects::new(l, self.frame.occlusion.as_ref(), pixel, point);
         let mut light = effects.dim(l, l.vec3([self.weights.ambient; 3])).x;
         let mut shown = l.f32(1.0);
+        l.note_topic("surface, in world space", None);
+        l.note("unit normal n", n);
+        l.note("texel", texel);
+        l.note("gloss", gloss);
+        l.note("ambient a", light);
         if let Some(source) = self.frame.lighting.sources.first() {
             let to_light = to_light(l, source, point);
             let cosine = n.dot(to_light);
@@ -96,10 +101,21 @@ impl<'a> Tinyrenderer<'a> {
             let towards_viewer = mirrored.dot(l.vec3(self.frame.against_view)).max(0.0);
             light += cosine.max(0.0) * self.weights.diffuse;
             light += (gloss * self.weights.gloss + self.weights.specular) * powi(towards_viewer, 35);
+            l.note_topic("light", Some(0));
+            l.note("unit vector to the light l", to_light);
+            l.note("n.l", cosine);
+            l.note("diffuse, d max(0, n.l)", cosine.max(0.0) * self.weights.diffuse);
+            l.note("l mirrored, r", mirrored);
+            l.note("max(0, r.v)", towards_viewer);
+            l.note("its power of 35", powi(towards_viewer, 35));
+            l.note("weight, s + m gloss", gloss * self.weights.gloss + self.weights.specular);
             // A shadow darkens both sides of a surface.
             shown = effects.pass(l, source, point, to_light, l.f32(1.0), shown);
         }
         let mut bytes = (texel * 255.0) * light;
+        l.note_topic("sum", None);
+        l.note("of all terms", light);
+        l.note("times the texel, in bytes", bytes);
         if self.lesson == Lesson::Glow {
             bytes += self.texel(l, Slot::Emissive, &point.footprint, [0.0; 3]) * 255.0;
         }
@@ -107,6 +123,8 @@ impl<'a> Tinyrenderer<'a> {
         let length = bytes.length().max(LONGEST_IN_SHADOW);
         let bytes = (bytes * (LONGEST_IN_SHADOW / length)).mix(bytes, shown);
         let whole = Vec3 { x: bytes.x.floor(), y: bytes.y.floor(), z: bytes.z.floor() };
+        l.note_topic("colour", None);
+        l.note("bytes", whole);
         displayed(whole * (1.0 / 255.0), self.frame.color_space)
     }
 
