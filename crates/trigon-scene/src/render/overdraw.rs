@@ -6,7 +6,7 @@
 use trigon::pipeline::Picture;
 use trigon_image::color::{linear_to_srgb, srgb_to_linear};
 
-/// Display colours at 0, 1, 2, 4, 8 and 16 surfaces; the first is where there is none.
+/// Display colours at 0, 1, 2, 4, 6, 10 and 16 surfaces; the first is where there is none.
 const RAMP: [(f32, [u8; 3]); 7] = [
     (0.0, [12, 14, 22]),
     (1.0, [38, 60, 150]),
