@@ -3,6 +3,8 @@
 //! In: work items and one worker's memory per thread. Out: every item done once. Threads take the next item when they
 //! are free; no result depends on who does what, or when.
 
+pub use crate::clock::Deadline;
+
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 

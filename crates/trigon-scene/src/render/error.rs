@@ -8,7 +8,7 @@ use trigon::target::MAX_SIZE;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RenderError {
-    /// The size of the picture or the number of primitives is out of range.
+    /// The size of the picture or the number of primitives is out of range, or the time is over.
     Frame(FrameError),
     /// Shadow maps of this many texels a side, outside 1..=16 384.
     ShadowMapSize(u32),

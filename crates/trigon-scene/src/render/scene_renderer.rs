@@ -20,7 +20,7 @@ use super::texture_cache::TextureCache;
 use super::working_space::{from_linear, from_linear_premultiplied, pixels_to_linear};
 use crate::load::Warning;
 use crate::scene::{Camera, Instance, LightKind, Material, Mesh, Scene};
-use trigon::pipeline::{Draw, Frame, FrameStatistics, Outputs, Picture, Renderer};
+use trigon::pipeline::{Draw, Frame, FrameError, FrameStatistics, Outputs, Picture, Renderer};
 use trigon::target::ColorSpace;
 
 /// Draws scenes; keeps textures and edges between frames.
@@ -91,7 +91,8 @@ impl SceneRenderer {
     ///
     /// # Errors
     ///
-    /// A picture or shadow map size outside 1..=16 384, or more primitives than 32-bit numbers can name.
+    /// A picture or shadow map size outside 1..=16 384, more primitives than 32-bit numbers can name, or a deadline of
+    /// `renderer` that comes before the end. `picture` then has no images.
     pub fn render(
         &mut self,
         renderer: &mut Renderer,
@@ -101,7 +102,7 @@ impl SceneRenderer {
         picture: &mut Picture,
     ) -> Result<(FrameStatistics, Vec<Warning>), RenderError> {
         let warnings = self.prepare(scene, settings);
-        let (mut statistics, passes) = self.with_draws(renderer, scene, camera, settings, |renderer, made| {
+        let drawn = self.with_draws(renderer, scene, camera, settings, |renderer, made| {
             let mut statistics = renderer.render(&frame(settings), made.draws, picture)?;
             finish(picture, settings, made.items);
             if let Some(outline) = settings.shown_outline() {
@@ -111,8 +112,9 @@ impl SceneRenderer {
                 outline::draw(picture, &shapes, scale, &outline, renderer.options());
                 add_times(&mut statistics, &times);
             }
-            Ok(statistics)
-        })?;
+            if renderer.deadline().is_over() { Err(FrameError::TimeOver.into()) } else { Ok(statistics) }
+        });
+        let (mut statistics, passes) = drawn.inspect_err(|_| *picture = Picture::default())?;
         add_times(&mut statistics, &passes);
         Ok((statistics, warnings))
     }

@@ -4,6 +4,7 @@ use super::Drawing;
 use crate::engine;
 use core::fmt;
 use trigon::lanes::SimdLevel;
+use trigon::schedule::Deadline;
 use trigon::target::{MAX_SIZE, SamplePattern};
 use trigon_image::{Color, Rgba8Image};
 
@@ -21,6 +22,8 @@ pub struct Renderer {
     pub max_pixels: u64,
     /// Most layers, masks, patterns and filters inside each other; deeper ones are not drawn.
     pub max_depth: u32,
+    /// When to give up. Work stops within the time that a shape takes in sixteen rows of pixels, or one step of a filter.
+    pub deadline: Deadline,
 }
 
 /// A finished picture: sRGB-encoded, premultiplied, row 0 at the top.
@@ -44,6 +47,8 @@ pub enum DrawError {
     },
     /// This CPU lacks the level of [`Renderer::simd`].
     SimdUnavailable(SimdLevel),
+    /// [`Renderer::deadline`] came before the end.
+    TimeOver,
 }
 
 impl Renderer {
@@ -51,18 +56,20 @@ impl Renderer {
     #[must_use]
     pub fn new() -> Self {
         let pattern = SamplePattern::grid(16).unwrap_or(SamplePattern::CENTER);
-        Self { pattern, threads: 1, simd: SimdLevel::detect(), max_pixels: 1 << 28, max_depth: 64 }
+        let (max_pixels, max_depth, deadline) = (1 << 28, 64, Deadline::NEVER);
+        Self { pattern, threads: 1, simd: SimdLevel::detect(), max_pixels, max_depth, deadline }
     }
 
     /// Draws what of `drawing` lies in 0..`width` and 0..`height`, over `background` (often transparent).
     ///
     /// # Errors
-    /// If the size is over a limit, or the CPU lacks the SIMD level.
+    /// If the size is over a limit, the CPU lacks the SIMD level, or the deadline comes before the end.
     pub fn draw(&self, drawing: &Drawing, width: u32, height: u32, background: Color) -> Result<Picture, DrawError> {
         self.check(width, height)?;
         let pixels = vec![[0; 4]; width as usize * height as usize];
         let mut picture = Picture { width, height, pixels };
         engine::draw(self, drawing, [width, height], background, &mut picture.pixels);
+        self.in_time()?;
         Ok(picture)
     }
 
@@ -70,11 +77,11 @@ impl Renderer {
     /// the system for new memory.
     ///
     /// # Errors
-    /// As [`draw`](Self::draw).
+    /// As [`draw`](Self::draw); after the deadline the picture is transparent.
     pub fn draw_into(&self, drawing: &Drawing, background: Color, picture: &mut Picture) -> Result<(), DrawError> {
         self.check(picture.width, picture.height)?;
         engine::draw(self, drawing, [picture.width, picture.height], background, &mut picture.pixels);
-        Ok(())
+        self.in_time().inspect_err(|_| picture.pixels.fill([0; 4]))
     }
 
     /// Draws what of `drawing` lies in `picture` over what the picture holds: labels over a model.
@@ -84,8 +91,21 @@ impl Renderer {
     /// As [`draw`](Self::draw); the picture is then as it was.
     pub fn draw_over(&self, drawing: &Drawing, picture: &mut Picture) -> Result<(), DrawError> {
         self.check(picture.width, picture.height)?;
-        engine::draw_over(self, drawing, [picture.width, picture.height], &mut picture.pixels);
+        let size = [picture.width, picture.height];
+        if self.deadline == Deadline::NEVER {
+            engine::draw_over(self, drawing, size, &mut picture.pixels);
+            return Ok(());
+        }
+        let mut pixels = picture.pixels.clone();
+        engine::draw_over(self, drawing, size, &mut pixels);
+        self.in_time()?;
+        picture.pixels = pixels;
         Ok(())
+    }
+
+    /// An error once the deadline is over. Work that it cut short ends after it, so what is done before is whole.
+    pub(crate) fn in_time(&self) -> Result<(), DrawError> {
+        if self.deadline.is_over() { Err(DrawError::TimeOver) } else { Ok(()) }
     }
 
     fn check(&self, width: u32, height: u32) -> Result<(), DrawError> {
@@ -154,6 +174,7 @@ impl fmt::Display for DrawError {
             Self::TooLarge { width, height } => {
                 write!(f, "a picture of {width}x{height} pixels is over the limit; draw it smaller or in parts")
             }
+            Self::TimeOver => write!(f, "not drawn in the time allowed; allow more, or draw something smaller"),
             Self::SimdUnavailable(level) => write!(f, "SIMD level '{level}' is not available on this CPU"),
         }
     }

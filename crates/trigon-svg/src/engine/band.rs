@@ -13,12 +13,14 @@ use super::runs::RunRows;
 use super::samples::SampleRows;
 use super::shader::Shader;
 use super::surface::{Pixel, Surface, mean};
-use crate::canvas::FillRule;
-use trigon::lanes::{Kernel, Lanes, SimdLevel};
+use crate::canvas::{FillRule, Renderer};
+use trigon::lanes::{Kernel, Lanes};
+use trigon::schedule::Deadline;
 
 /// The memory of one thread, and what it reads.
 pub(crate) struct Worker<'a> {
     tables: &'a Tables,
+    deadline: Deadline,
     scanners: Scanners<'a>,
     full_mask: u16,
     sample_count: u32,
@@ -60,9 +62,10 @@ impl Kernel for BandTask<'_, '_> {
 
 impl<'a> Worker<'a> {
     /// A worker for pictures up to `width` pixels.
-    pub(crate) fn new(samples: &'a SampleRows, tables: &'a Tables, width: u32) -> Self {
+    pub(crate) fn new(samples: &'a SampleRows, tables: &'a Tables, width: u32, deadline: Deadline) -> Self {
         Self {
             tables,
+            deadline,
             scanners: Scanners::new(samples, width),
             full_mask: samples.full_mask(),
             sample_count: samples.count() as u32,
@@ -81,17 +84,17 @@ impl<'a> Worker<'a> {
     /// Draws the rows of one band into `out`.
     pub(crate) fn draw_band(
         &mut self,
-        simd: SimdLevel,
+        renderer: &Renderer,
         program: &Program,
         band: u32,
         below: Below,
         out: &mut [[u8; 4]],
     ) {
-        if program.steps_in(band).is_empty() {
+        if program.steps_in(band).is_empty() || self.deadline.is_over() {
             below.fill(out);
             return;
         }
-        simd.run(BandTask { worker: self, program, band, below, out });
+        renderer.simd.run(BandTask { worker: self, program, band, below, out });
     }
 
     /// The steps of a program that meet a band, on a surface.
@@ -110,6 +113,9 @@ impl<'a> Worker<'a> {
         let bounds = surface.bounds();
         let mut surfaces = vec![surface];
         for number in program.steps_in(band) {
+            if self.deadline.is_over() {
+                break;
+            }
             let step_bounds = program.bounds[*number as usize].intersect(&bounds);
             let Some(surface) = surfaces.last_mut() else { break };
             match program.steps[*number as usize] {

@@ -55,7 +55,7 @@ pub(crate) fn compile(
     };
     let mut steps = Vec::new();
     compiler.items(items, &mut steps);
-    let geometry = Geometry::new(&compiler.shapes, samples, size, renderer.threads);
+    let geometry = Geometry::new(&compiler.shapes, samples, size, renderer);
     let Compiler { shaders, images, clips, masks, .. } = compiler;
     let mut tables = Tables { geometry, shaders, images, clips, masks };
     let mut program = Program::new(steps);
@@ -228,6 +228,9 @@ impl<'a> Compiler<'a> {
         rect.height = rect.height.min(trigon::target::MAX_SIZE).min((limit / u64::from(rect.width.max(1))) as u32);
         let base = Transform::translate(-f64::from(rect.x), -f64::from(rect.y));
         let pixels = picture_of(self.renderer, inside, base, [rect.width, rect.height], self.depth + 1);
+        if self.renderer.deadline.is_over() {
+            return LayerImage::default();
+        }
         (filter.apply)(LayerImage { rect, pixels })
     }
 

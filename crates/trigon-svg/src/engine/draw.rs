@@ -60,7 +60,7 @@ fn draw_items(
     out: &mut [[u8; 4]],
 ) {
     let [width, height] = size;
-    if out.is_empty() || depth > renderer.max_depth {
+    if out.is_empty() || depth > renderer.max_depth || renderer.deadline.is_over() {
         below.fill(out);
         return;
     }
@@ -68,9 +68,10 @@ fn draw_items(
     let (program, tables) = compile(renderer, &samples, items, base, size, depth);
     let band_pixels = (BAND_ROWS * width) as usize;
     let threads = (height.div_ceil(BAND_ROWS) as usize).min(renderer.threads.max(1));
-    let mut workers: Vec<Worker<'_>> = (0..threads).map(|_| Worker::new(&samples, &tables, width)).collect();
+    let mut workers: Vec<Worker<'_>> =
+        (0..threads).map(|_| Worker::new(&samples, &tables, width, renderer.deadline)).collect();
     let tasks = (0..).zip(out.chunks_mut(band_pixels));
     trigon::schedule::share(&mut workers, tasks, |worker, (band, out): (u32, &mut [[u8; 4]])| {
-        worker.draw_band(renderer.simd, &program, band, below, out);
+        worker.draw_band(renderer, &program, band, below, out);
     });
 }

@@ -8,7 +8,7 @@ use super::edge::{Edge, EdgeBuilder};
 use super::flatten::{LineSink, TOLERANCE, flatten};
 use super::samples::SampleRows;
 use super::stroke::{self, Hairline, StrokeMemory};
-use crate::canvas::{FillRule, Outline, Path, Transform};
+use crate::canvas::{FillRule, Outline, Path, Renderer, Transform};
 use std::ops::Range;
 
 /// Shapes in a chunk.
@@ -70,7 +70,7 @@ pub(crate) struct ShapeRef<'a> {
 
 impl Geometry {
     /// Flattens, snaps and sorts the shapes, for a picture of `size` pixels.
-    pub(crate) fn new(shapes: &[Outlined<'_>], samples: &SampleRows, size: [u32; 2], threads: usize) -> Self {
+    pub(crate) fn new(shapes: &[Outlined<'_>], samples: &SampleRows, size: [u32; 2], renderer: &Renderer) -> Self {
         let mut chunks: Vec<Chunk> = Vec::new();
         chunks.resize_with(shapes.len().div_ceil(CHUNK), Chunk::default);
         let worker = |_| Worker {
@@ -78,13 +78,16 @@ impl Geometry {
             strokes: StrokeMemory::default(),
             bands: Vec::new(),
         };
-        let mut workers: Vec<Worker<'_>> = (0..threads.clamp(1, chunks.len().max(1))).map(worker).collect();
+        let mut workers: Vec<Worker<'_>> = (0..renderer.threads.clamp(1, chunks.len().max(1))).map(worker).collect();
         let work = chunks.iter_mut().zip(shapes.chunks(CHUNK));
         trigon::schedule::share(&mut workers, work, |worker, (chunk, shapes): (&mut Chunk, &[Outlined<'_>])| {
             for shape in shapes {
                 let builder = &mut worker.builders[usize::from(shape.is_crisp)];
                 builder.clear();
-                build(shape, &mut worker.strokes, builder);
+                // After the deadline shapes are empty; nobody sees them.
+                if !renderer.deadline.is_over() {
+                    build(shape, &mut worker.strokes, builder);
+                }
                 chunk.add(builder, shape.is_crisp, &mut worker.bands);
             }
         });

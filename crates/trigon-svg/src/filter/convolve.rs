@@ -3,6 +3,7 @@
 //! Filter Effects 1, "feConvolveMatrix": the matrix is applied rotated by 180 degrees; `preserveAlpha` works on colors
 //! without alpha and leaves alpha as it is.
 
+use trigon::schedule::Deadline;
 use trigon_image::color::unit_to_u8;
 
 use super::raster::{Pixel, Raster, divide};
@@ -41,9 +42,9 @@ pub enum Edge {
     Wrap,
 }
 
-/// The picture convolved.
+/// The picture convolved; rows after the deadline are left transparent.
 #[must_use]
-pub fn convolve(mut source: Raster, convolution: &Convolution) -> Raster {
+pub fn convolve(mut source: Raster, convolution: &Convolution, deadline: Deadline) -> Raster {
     let alphas: Option<Vec<u8>> = convolution.preserve_alpha.then(|| {
         source.pixels_mut().iter_mut().for_each(|pixel| *pixel = divide(*pixel));
         source.pixels().iter().map(|pixel| pixel[3]).collect()
@@ -51,6 +52,9 @@ pub fn convolve(mut source: Raster, convolution: &Convolution) -> Raster {
     let mut result = Raster::new(source.width(), source.height());
     let width = source.width();
     for y in 0..source.height() {
+        if deadline.is_over() {
+            break;
+        }
         for x in 0..width {
             let index = y * width + x;
             let sum = weighted_sum(&source, convolution, x, y);
@@ -136,14 +140,16 @@ mod tests {
     #[test]
     fn the_matrix_is_rotated_and_edges_are_as_asked() {
         for (edge, last) in [(Edge::Transparent, 0), (Edge::Duplicate, 30), (Edge::Wrap, 10)] {
-            let reds: Vec<u8> = convolve(ramp(), &shift(edge, true)).pixels().iter().map(|pixel| pixel[0]).collect();
+            let convolved = convolve(ramp(), &shift(edge, true), Deadline::NEVER);
+            let reds: Vec<u8> = convolved.pixels().iter().map(|pixel| pixel[0]).collect();
             assert_eq!(reds, [20, 30, last], "{edge:?}");
         }
     }
 
     #[test]
     fn alpha_is_convolved_unless_preserved() {
-        assert_eq!(convolve(ramp(), &shift(Edge::Transparent, false)).pixels()[2], [0; 4]);
-        assert_eq!(convolve(ramp(), &shift(Edge::Transparent, true)).pixels()[2], [0, 0, 0, 255]);
+        let last = |preserve| convolve(ramp(), &shift(Edge::Transparent, preserve), Deadline::NEVER).pixel(2, 0);
+        assert_eq!(last(false), [0; 4]);
+        assert_eq!(last(true), [0, 0, 0, 255]);
     }
 }

@@ -18,6 +18,7 @@ use super::morphology::{Morphology, morphology};
 use super::raster::{ColorSpace, Pixel, Raster, Region, convert_color, multiply};
 use super::turbulence::{Grid, Turbulence, turbulence};
 use crate::canvas::BlendMode;
+use trigon::schedule::Deadline;
 
 /// A filter, ready to run.
 #[derive(Clone)]
@@ -85,27 +86,31 @@ struct Outcome {
 }
 
 impl Graph {
-    /// Runs the filter on `source`, in sRGB; the result is sRGB and of the same size.
+    /// Runs the filter on `source`, in sRGB; the result is sRGB and of the same size. `None` if the deadline came first.
     ///
     /// An input that names a later step, or none, reads as the source.
     #[must_use]
-    pub fn run(&self, source: Raster) -> Raster {
+    pub fn run(&self, source: Raster, deadline: Deadline) -> Option<Raster> {
         let (width, height) = (source.width(), source.height());
         let region = source.bounds();
-        let mut run = Run { source: Rc::new(source), outcomes: vec![None; self.steps.len()], width, height, region };
+        let mut run =
+            Run { source: Rc::new(source), outcomes: vec![None; self.steps.len()], width, height, region, deadline };
         let last_reader = self.last_readers();
         for (index, step) in self.steps.iter().enumerate() {
             run.outcomes[index] = Some(run.step(step));
+            if deadline.is_over() {
+                return None;
+            }
             for (outcome, last) in run.outcomes.iter_mut().zip(&last_reader) {
                 if *last <= index {
                     *outcome = None;
                 }
             }
         }
-        match run.outcomes.pop().flatten() {
+        Some(match run.outcomes.pop().flatten() {
             Some(outcome) => in_space(outcome, ColorSpace::Srgb),
             None => Raster::new(width, height),
-        }
+        })
     }
 
     /// For each step, the last step that reads it; the last step's result is read after all.
@@ -158,6 +163,7 @@ struct Run {
     width: usize,
     height: usize,
     region: Region,
+    deadline: Deadline,
 }
 
 impl Run {
@@ -199,7 +205,7 @@ impl Run {
                 }
                 merged
             }
-            Primitive::Turbulence { grid, noise } => turbulence(self.width, self.height, *grid, noise),
+            Primitive::Turbulence { grid, noise } => turbulence(self.width, self.height, *grid, noise, self.deadline),
             Primitive::Transparent => Raster::new(self.width, self.height),
             _ => self.of_one_input(primitive, space),
         };
@@ -213,11 +219,11 @@ impl Run {
         match primitive {
             Primitive::ColorMatrix { matrix, .. } => color_matrix(&mut raster, matrix),
             Primitive::ComponentTransfer { curves, .. } => component_transfer(&mut raster, curves),
-            Primitive::Convolve { convolution, .. } => return convolve(raster, convolution),
+            Primitive::Convolve { convolution, .. } => return convolve(raster, convolution, self.deadline),
             Primitive::Blur { deviation: (x, y), .. } => return gaussian_blur(raster, *x, *y),
             Primitive::Morphology { operator, radius: (x, y), .. } => return morphology(raster, *operator, *x, *y),
             Primitive::Lighting { surface, surface_scale, color, lamp, .. } => {
-                return lighting(&raster, *surface, *surface_scale, *color, lamp);
+                return lighting(&raster, *surface, *surface_scale, *color, lamp, self.deadline);
             }
             Primitive::DropShadow { offset: (dx, dy), deviation: (x, y), color: [r, g, b, a], .. } => {
                 let [r, g, b] = convert_color([*r, *g, *b], ColorSpace::Srgb, space);
@@ -275,7 +281,7 @@ mod tests {
     fn results_are_cut_to_their_region() {
         let region = Region { left: 2, top: 3, right: 4, bottom: 5 };
         let flood = Step { region, ..step(Primitive::Flood { color: [0, 128, 0, 255] }) };
-        let result = Graph { steps: vec![flood] }.run(Raster::new(8, 8));
+        let result = Graph { steps: vec![flood] }.run(Raster::new(8, 8), Deadline::NEVER).unwrap();
         assert_eq!(result.pixels().iter().filter(|pixel| pixel[3] == 255).count(), 4);
     }
 
@@ -289,16 +295,17 @@ mod tests {
         ];
         let mut source = Raster::new(8, 8);
         source.pixels_mut()[0] = [0, 0, 255, 255];
-        let result = Graph { steps }.run(source);
+        let result = Graph { steps }.run(source, Deadline::NEVER).unwrap();
         assert_eq!(result.pixel(0, 0), [0, 0, 255, 255]);
         assert_eq!(result.pixel(5, 5), [255, 0, 0, 255]);
     }
 
     #[test]
     fn no_primitive_and_unknown_inputs() {
-        assert_eq!(Graph { steps: Vec::new() }.run(Raster::filled(8, 8, [255; 4])), Raster::new(8, 8));
+        let run = |steps| Graph { steps }.run(Raster::filled(8, 8, [255; 4]), Deadline::NEVER);
+        assert_eq!(run(Vec::new()), Some(Raster::new(8, 8)));
         let stray = step(Primitive::Offset { input: Input::Step(7), offset: (0, 0) });
-        assert_eq!(Graph { steps: vec![stray] }.run(Raster::filled(8, 8, [255; 4])), Raster::filled(8, 8, [255; 4]));
+        assert_eq!(run(vec![stray]), Some(Raster::filled(8, 8, [255; 4])));
     }
 
     #[test]
@@ -309,7 +316,8 @@ mod tests {
                 row[4..].fill([255; 4]);
             }
             let primitive = Primitive::Blur { input: Input::Source, deviation: (2.0, 0.0) };
-            Graph { steps: vec![Step { space, ..step(primitive) }] }.run(source).pixel(4, 4)[0]
+            let graph = Graph { steps: vec![Step { space, ..step(primitive) }] };
+            graph.run(source, Deadline::NEVER).unwrap().pixel(4, 4)[0]
         };
         assert!(blur(ColorSpace::LinearRgb) > blur(ColorSpace::Srgb) + 20);
     }

@@ -4,6 +4,7 @@
 //! picture and reweighted; Phong's model with the eye at infinity. Pixel (x, y) of the picture is the point (x, y).
 
 use trigon::math::host;
+use trigon::schedule::Deadline;
 use trigon_image::color::unit_to_u8;
 
 use super::raster::{Pixel, Raster};
@@ -47,13 +48,23 @@ pub enum Surface {
     },
 }
 
-/// Light of `color` on the heights `surface_scale * alpha`.
+/// Light of `color` on the heights `surface_scale * alpha`; rows after the deadline are left transparent.
 #[must_use]
-pub fn lighting(source: &Raster, surface: Surface, surface_scale: f32, color: [u8; 3], lamp: &Lamp) -> Raster {
+pub fn lighting(
+    source: &Raster,
+    surface: Surface,
+    surface_scale: f32,
+    color: [u8; 3],
+    lamp: &Lamp,
+    deadline: Deadline,
+) -> Raster {
     let (width, height) = (source.width(), source.height());
     let color = color.map(|code| f32::from(code) / 255.0);
     let mut lit = Raster::new(width, height);
     for y in 0..height {
+        if deadline.is_over() {
+            break;
+        }
         for x in 0..width {
             let point = [to_f32(x), to_f32(y), surface_scale * alpha(source, x, y)];
             let light = towards(lamp, point);
@@ -196,10 +207,10 @@ mod tests {
     #[test]
     fn a_flat_surface_under_the_lamp_has_its_color() {
         let flat = Raster::filled(5, 4, [0, 0, 0, 255]);
-        let lit = lighting(&flat, DIFFUSE, 3.0, [200, 100, 50], &distant(0.0, 90.0));
+        let lit = lighting(&flat, DIFFUSE, 3.0, [200, 100, 50], &distant(0.0, 90.0), Deadline::NEVER);
         assert!(lit.pixels().iter().all(|pixel| *pixel == [200, 100, 50, 255]));
         let shiny = Surface::Specular { constant: 0.5, exponent: 7.0 };
-        let lit = lighting(&flat, shiny, 3.0, [200, 100, 50], &distant(0.0, 90.0));
+        let lit = lighting(&flat, shiny, 3.0, [200, 100, 50], &distant(0.0, 90.0), Deadline::NEVER);
         assert!(lit.pixels().iter().all(|pixel| *pixel == [100, 50, 25, 100]));
     }
 
@@ -221,8 +232,11 @@ mod tests {
         let flat = Raster::filled(9, 1, [0, 0, 0, 255]);
         let cone_cos = Some(cos_degrees(20.0));
         let lamp = Lamp::Spot { position: [4.0, 0.0, 6.0], target: [4.0, 0.0, 0.0], exponent: 1.0, cone_cos };
-        let lit: Vec<bool> =
-            lighting(&flat, DIFFUSE, 1.0, [255; 3], &lamp).pixels().iter().map(|pixel| pixel[0] > 0).collect();
+        let lit: Vec<bool> = lighting(&flat, DIFFUSE, 1.0, [255; 3], &lamp, Deadline::NEVER)
+            .pixels()
+            .iter()
+            .map(|pixel| pixel[0] > 0)
+            .collect();
         // The height 1 is 5 below the lamp: 20 degrees reach 1.8 pixels.
         assert_eq!(lit, [false, false, false, true, true, true, false, false, false]);
     }
@@ -230,7 +244,8 @@ mod tests {
     #[test]
     fn the_smallest_pictures_are_no_trouble() {
         for (width, height) in [(0, 0), (1, 1), (1, 4), (3, 1)] {
-            let lit = lighting(&Raster::filled(width, height, [255; 4]), DIFFUSE, 1.0, [255; 3], &distant(45.0, 45.0));
+            let flat = Raster::filled(width, height, [255; 4]);
+            let lit = lighting(&flat, DIFFUSE, 1.0, [255; 3], &distant(45.0, 45.0), Deadline::NEVER);
             assert_eq!(lit.pixels().len(), width * height);
         }
     }

@@ -4,6 +4,7 @@
 //! precision; only `+ - * /` and square roots, so the noise is the same on every machine.
 
 use super::raster::{Raster, multiply};
+use trigon::schedule::Deadline;
 
 /// The noise asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,14 +37,17 @@ const LATTICE: usize = 256;
 /// Added to positions so that they are positive.
 const PERLIN_N: f64 = 4096.0;
 
-/// Premultiplied noise of `width * height` pixels.
+/// Premultiplied noise of `width * height` pixels; rows after the deadline are left transparent.
 #[must_use]
-pub fn turbulence(width: usize, height: usize, grid: Grid, noise: &Turbulence) -> Raster {
+pub fn turbulence(width: usize, height: usize, grid: Grid, noise: &Turbulence, deadline: Deadline) -> Raster {
     let lattice = Lattice::new(noise.seed);
     let (frequency, wrap) = stitched(noise);
     let mut raster = Raster::new(width, height);
     let mut y = 0.0;
     for row in raster.pixels_mut().chunks_exact_mut(width.max(1)) {
+        if deadline.is_over() {
+            break;
+        }
         let mut x = 0.0;
         for pixel in row {
             let position = (grid.origin.0 + x * grid.step.0, grid.origin.1 + y * grid.step.1);
@@ -234,7 +238,7 @@ mod tests {
     #[test]
     fn stitched_noise_repeats_over_its_rectangle() {
         let noise = Turbulence { stitch: Some([0.0, 0.0, 48.0, 32.0]), ..NOISE };
-        let raster = turbulence(49, 33, GRID, &noise);
+        let raster = turbulence(49, 33, GRID, &noise, Deadline::NEVER);
         for y in 0..33 {
             assert_eq!(raster.pixel(0, y), raster.pixel(48, y), "row {y}");
         }
@@ -246,6 +250,6 @@ mod tests {
     #[test]
     fn hostile_numbers_end() {
         let noise = Turbulence { base_frequency: (1e300, f64::INFINITY), octaves: u32::MAX, seed: i32::MIN, ..NOISE };
-        assert_eq!(turbulence(3, 2, GRID, &noise).pixels().len(), 6);
+        assert_eq!(turbulence(3, 2, GRID, &noise, Deadline::NEVER).pixels().len(), 6);
     }
 }

@@ -71,6 +71,9 @@ impl<'a> Converter<'a> {
     /// Draws what is in a group.
     pub(super) fn nodes(&mut self, out: &mut Drawing, group: &usvg::Group, pixels_from_group: Transform) {
         for node in group.children() {
+            if self.renderer.deadline.is_over() {
+                return;
+            }
             self.node(out, node, pixels_from_group);
         }
     }

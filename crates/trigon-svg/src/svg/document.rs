@@ -38,7 +38,7 @@ impl Document {
     /// Reads an SVG file, plain or compressed with gzip.
     ///
     /// # Errors
-    /// If it is not SVG, or over a limit.
+    /// If it is not SVG, over a limit, or the deadline comes before the end.
     pub fn parse(bytes: &[u8], options: &Options) -> Result<Self, SvgError> {
         let unpacked;
         let bytes = if bytes.starts_with(&[0x1f, 0x8b]) {
@@ -67,7 +67,7 @@ impl Document {
     /// `renderer` draws what cannot wait: groups whose filter works in turned coordinates, and `feImage`.
     ///
     /// # Errors
-    /// If the view's id is not in the document, or its area has no extent.
+    /// If the view's id is not in the document, its area has no extent, or the renderer's deadline comes before the end.
     pub fn prepare(&self, view: &View, renderer: &Renderer) -> Result<Prepared, SvgError> {
         on_a_large_stack("trigon-svg", || self.convert(view, renderer))
             .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
@@ -109,6 +109,7 @@ impl Document {
             }
             Some(node) => converter.node(&mut drawing, node, pixels_from_user * transform(node.abs_transform())),
         }
+        renderer.in_time()?;
         let mut warnings = self.warnings.clone();
         warnings.extend(&converter.warnings);
         Ok(Prepared { drawing, width, height, warnings: warnings.into_list() })
@@ -148,7 +149,10 @@ fn unpack(bytes: &[u8], max_bytes: usize) -> Result<Vec<u8>, SvgError> {
 
 fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     let limits = &options.limits;
+    let in_time = || if options.deadline.is_over() { Err(SvgError::TimeOver) } else { Ok(()) };
+    in_time()?;
     let original = parse_xml(text, limits)?;
+    in_time()?;
     check_depth(&original, limits)?;
     let mut warnings = Warnings::default();
     let rewritten = rewrite(&original, text, options, &mut warnings);
@@ -161,6 +165,7 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
         None => (&original, Triangles::default()),
     };
     warn_of_elements(xml, &mut warnings);
+    in_time()?;
 
     let mut usvg_options = usvg::Options {
         resources_dir: options.folder.clone(),
@@ -177,10 +182,12 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
         usvg_options.fontdb = Arc::new(fonts);
         unreadable.into_iter().for_each(|message| warnings.add(message));
     }
+    in_time()?;
     let tree = usvg::Tree::from_xmltree(xml, &usvg_options).map_err(|error| match error {
         usvg::Error::ElementsLimitReached => too_many_elements(limits),
         error => SvgError::Malformed(error.to_string()),
     })?;
+    in_time()?;
     Ok(Document { tree, limits: limits.clone(), warnings, triangles })
 }
 

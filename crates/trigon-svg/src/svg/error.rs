@@ -16,6 +16,8 @@ pub enum SvgError {
     UnknownId(String),
     /// The element, or the drawing, has no extent that could be a picture.
     Empty,
+    /// [`Options::deadline`](super::Options::deadline) came before the file was read.
+    TimeOver,
     /// The picture could not be drawn.
     Draw(DrawError),
 }
@@ -27,6 +29,7 @@ impl fmt::Display for SvgError {
             Self::LimitExceeded(what) => write!(f, "{what}"),
             Self::UnknownId(id) => write!(f, "no element that is drawn has the id '{id}'"),
             Self::Empty => write!(f, "there is nothing to draw: the area has no width or no height"),
+            Self::TimeOver => write!(f, "not read in the time allowed; allow more, or make the file simpler"),
             Self::Draw(error) => write!(f, "{error}"),
         }
     }

@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use trigon::schedule::Deadline;
 use trigon::shade::texture::{LevelFilter, PixelFilter};
 use trigon_image::{Color, Rgba8Image};
 
@@ -20,6 +21,7 @@ struct Chain {
     /// The layer's pixels.
     layer: PixelRect,
     filters: Vec<(PixelRect, Graph)>,
+    deadline: Deadline,
 }
 
 impl Converter<'_> {
@@ -78,7 +80,7 @@ impl Converter<'_> {
             let space = Space { region, pixels_from_user: upright_from_group };
             filters.push((region, graph(self, filter, space)));
         }
-        Chain { layer, filters }
+        Chain { layer, filters, deadline: self.renderer.deadline }
     }
 
     /// The group drawn upright and filtered; `None` where it cannot be drawn.
@@ -97,6 +99,7 @@ impl Converter<'_> {
 }
 
 impl Chain {
+    /// No pixels if the deadline came first.
     fn apply(&self, image: &LayerImage) -> LayerImage {
         let side = |length: u32| length as usize;
         let (width, height) = (side(self.layer.width), side(self.layer.height));
@@ -112,7 +115,8 @@ impl Chain {
                 right: left.saturating_add_unsigned(rect.width),
                 bottom: top.saturating_add_unsigned(rect.height),
             };
-            layer = Raster::placed(&graph.run(layer.cropped(region)), left, top, width, height);
+            let Some(filtered) = graph.run(layer.cropped(region), self.deadline) else { return LayerImage::default() };
+            layer = Raster::placed(&filtered, left, top, width, height);
         }
         LayerImage { rect: self.layer, pixels: layer.into_pixels() }
     }

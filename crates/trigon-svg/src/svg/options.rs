@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use trigon::schedule::Deadline;
+
 use super::{FontOptions, Limits};
 
 /// How an SVG file is read.
@@ -17,6 +19,9 @@ pub struct Options {
     pub fonts: FontOptions,
     /// What a file may cost.
     pub limits: Limits,
+    /// When to give up reading: looked at between its steps, so that a step is finished first. How long one takes is
+    /// bounded by the limits. [`Renderer::deadline`](crate::canvas::Renderer::deadline) is for drawing.
+    pub deadline: Deadline,
 }
 
 impl Default for Options {
@@ -27,6 +32,7 @@ impl Default for Options {
             languages: vec!["en".to_owned()],
             fonts: FontOptions::default(),
             limits: Limits::default(),
+            deadline: Deadline::NEVER,
         }
     }
 }

@@ -161,6 +161,8 @@ pub enum FrameError {
     },
     /// More primitives than a draw's 32-bit numbers can name.
     TooManyPrimitives(usize),
+    /// The renderer's [`Deadline`](crate::schedule::Deadline) came before the end of the frame.
+    TimeOver,
 }
 
 impl fmt::Display for FrameError {
@@ -173,6 +175,9 @@ impl fmt::Display for FrameError {
                 write!(f, "there is no pixel {x},{y} in a picture of {width}x{height}; both count from 0")
             }
             Self::TooManyPrimitives(count) => write!(f, "a draw has {count} primitives, more than {}", u32::MAX),
+            Self::TimeOver => {
+                write!(f, "the frame was not done in the time allowed; allow more, or draw something smaller")
+            }
         }
     }
 }

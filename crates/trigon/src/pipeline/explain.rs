@@ -25,7 +25,7 @@ impl Renderer {
         let frame = &Frame { outputs: Outputs { color_f32: true, ..Outputs::COLOR }, ..*frame };
         let tasks = chunk_tasks(draws)?;
         let threads = self.threads(frame, &tasks);
-        self.run_geometry(frame, draws, &tasks, threads);
+        self.run_geometry(frame, draws, &tasks, threads)?;
         let chunks = &self.chunks[..tasks.len()];
         let bins = TileBins::new(frame, chunks);
         let input = TileInput { level: Level::fallback(), frame, draws, chunks };

@@ -9,7 +9,7 @@ use super::tile::{TileInput, TileWorker};
 use crate::clock::Stopwatch;
 use crate::geometry::{CHUNK_PRIMITIVES, Chunk, ChunkInput, ChunkScratch, Segment, Viewport, process_chunk};
 use crate::lanes::{SimdError, SimdLevel, dispatch};
-use crate::schedule::{TileOrder, share, tile_sequence};
+use crate::schedule::{Deadline, TileOrder, share, tile_sequence};
 use crate::target::TILE_SIZE;
 use fearless_simd::Level;
 
@@ -38,6 +38,7 @@ impl RendererOptions {
 /// Draws frames. Keeps its memory between them.
 pub struct Renderer {
     options: RendererOptions,
+    deadline: Deadline,
     level: Level,
     pub(super) chunks: Vec<Chunk>,
     scratch: Vec<ChunkScratch>,
@@ -54,7 +55,14 @@ impl Renderer {
     /// The CPU lacks the SIMD level.
     pub fn new(options: RendererOptions) -> Result<Self, SimdError> {
         let level = options.simd.to_level().ok_or(SimdError::Unavailable(options.simd))?;
-        Ok(Self { options, level, chunks: Vec::new(), scratch: Vec::new(), tiles: Vec::new() })
+        Ok(Self {
+            options,
+            deadline: Deadline::NEVER,
+            level,
+            chunks: Vec::new(),
+            scratch: Vec::new(),
+            tiles: Vec::new(),
+        })
     }
 
     /// How it works: for code beside it that shares the work among threads, at the same SIMD level.
@@ -63,10 +71,23 @@ impl Renderer {
         self.options
     }
 
+    /// Gives frames up that are not done at this moment: from then on until another one is set, drawing fails. A frame
+    /// stops within the time that a chunk of primitives or a tile takes.
+    pub fn set_deadline(&mut self, deadline: Deadline) {
+        self.deadline = deadline;
+    }
+
+    /// The moment after which frames are given up; [`Deadline::NEVER`] unless one was set.
+    #[must_use]
+    pub fn deadline(&self) -> Deadline {
+        self.deadline
+    }
+
     /// Draws a frame: `draws` in order, into `picture`.
     ///
     /// # Errors
-    /// A picture size outside 1..=16 384, or a draw with more than 2^32 primitives.
+    /// A picture size outside 1..=16 384, a draw with more than 2^32 primitives, or a [`Deadline`] that comes before the
+    /// end; `picture` then has no images.
     pub fn render(
         &mut self,
         frame: &Frame,
@@ -79,7 +100,7 @@ impl Renderer {
         let threads = self.threads(frame, &tasks);
 
         let started = Stopwatch::start();
-        self.run_geometry(frame, draws, &tasks, threads);
+        self.run_geometry(frame, draws, &tasks, threads).inspect_err(|_| *picture = Picture::default())?;
         let geometry_time = started.elapsed();
         let started = Stopwatch::start();
         let chunks = &self.chunks[..tasks.len()];
@@ -88,11 +109,18 @@ impl Renderer {
         let mut parts: Vec<_> = TileOfPicture::of_picture(picture, frame).map(Some).collect();
         let input = TileInput { level: self.level, frame, draws, chunks };
         let columns = frame.width.div_ceil(TILE_SIZE as u32);
+        let deadline = self.deadline;
         let order = tile_sequence(self.options.tile_order, &bins.cost);
         let work = order.into_iter().filter_map(|tile| Some((tile, parts[tile as usize].take()?)));
         share(&mut self.tiles, work, |worker, (tile, part)| {
-            worker.draw(&input, bins.segments(tile), [tile % columns, tile / columns], part);
+            if !deadline.is_over() {
+                worker.draw(&input, bins.segments(tile), [tile % columns, tile / columns], part);
+            }
         });
+        if deadline.is_over() {
+            *picture = Picture::default();
+            return Err(FrameError::TimeOver);
+        }
         let mut statistics = FrameStatistics {
             tiles: bins.cost.len() as u64,
             tile_triangles: bins.cost.iter().map(|c| u64::from(*c)).sum(),
@@ -114,15 +142,25 @@ impl Renderer {
         if is_small { 1 } else { self.options.threads.max(1) }
     }
 
-    pub(super) fn run_geometry(&mut self, frame: &Frame, draws: &[Draw<'_>], tasks: &[ChunkTask], threads: usize) {
+    /// Fills the first chunks, one for each task. After an error they hold old and new ones and are not to be read.
+    pub(super) fn run_geometry(
+        &mut self,
+        frame: &Frame,
+        draws: &[Draw<'_>],
+        tasks: &[ChunkTask],
+        threads: usize,
+    ) -> Result<(), FrameError> {
         if self.chunks.len() < tasks.len() {
             self.chunks.resize_with(tasks.len(), Chunk::default);
         }
         self.scratch.resize_with(threads, ChunkScratch::default);
         let viewport = Viewport { width: frame.width, height: frame.height };
-        let level = self.level;
+        let (level, deadline) = (self.level, self.deadline);
         let work = tasks.iter().zip(&mut self.chunks);
         share(&mut self.scratch, work, |scratch, (task, chunk)| {
+            if deadline.is_over() {
+                return;
+            }
             let draw = &draws[task.draw as usize];
             let input = ChunkInput {
                 primitives: draw.primitives,
@@ -137,6 +175,8 @@ impl Renderer {
             draw.shader.positions(level, vertices, positions);
             dispatch!(level, l => process_chunk(l, &input, scratch, chunk));
         });
+        // Time does not run backwards: where a chunk was left out, it is over now.
+        if deadline.is_over() { Err(FrameError::TimeOver) } else { Ok(()) }
     }
 }
 
