@@ -87,7 +87,8 @@ impl<'a> Scanner<'a> {
         let (first, end) = (bounds.rows[0] as i32 * rows, bounds.rows[1] as i32 * rows);
         let mut changes = [0; BAND_ROWS as usize * super::samples::MAX_SAMPLE_ROWS + 1];
         for edge in edges {
-            let (from, to) = (edge.first.max(first), edge.end.min(end));
+            let rows = edge.rows();
+            let (from, to) = (rows[0].max(first), rows[1].min(end));
             if from < to {
                 changes[(from - first) as usize] += 1;
                 changes[(to - first) as usize] -= 1;
@@ -272,20 +273,33 @@ impl<W: Word, const R: usize> BandCells<'_, W, R> {
         let top = self.bounds.rows[0] as i32;
         let (first, end) = (top * R as i32, self.bounds.rows[1] as i32 * R as i32);
         for edge in edges {
-            let (mut next, end) = (edge.first.max(first), edge.end.min(end));
+            let (rows, direction) = (edge.rows(), edge.direction());
+            let (mut next, end) = (rows[0].max(first), rows[1].min(end));
             while next < end {
                 let (row, r) = ((next as u32 / R as u32) as i32, (next as u32 % R as u32) as usize);
                 let index = (row - top) as usize;
                 let cells = &mut self.cells[index * columns..(index + 1) * columns];
                 let crossed = &mut self.crossed[index * crossed_words..(index + 1) * crossed_words];
                 let stop = R.min(r + (end - next) as usize);
-                for r in r..stop {
-                    let x = (edge.crossing((row << 8) + offsets[r]) + shifts[r]).max(0).min(limit);
-                    let column = (x >> 8) as usize;
-                    let word = &mut cells[column][r];
-                    *word = word.add(W::change(columns_from[(x & 255) as usize], edge.direction));
-                    crossed[column / 64] |= 1 << (column % 64);
+                // All four rows of a pixel side by side; those that the edge does not meet are not looked at.
+                let computed = if R <= 4 { 0..R } else { r..stop };
+                let mut xs = [0; R];
+                for r in computed {
+                    xs[r] = edge.crossing((row << 8) + offsets[r]).wrapping_add(shifts[r]).max(0).min(limit);
                 }
+                // Rows of a pixel are mostly crossed within the same 64 columns: one bit set is written, not four.
+                let (mut index, mut bits) = ((xs[r] >> 14) as usize, 0);
+                for r in r..stop {
+                    let column = (xs[r] >> 8) as usize;
+                    let word = &mut cells[column][r];
+                    *word = word.add(W::change(columns_from[(xs[r] & 255) as usize], direction));
+                    if column / 64 != index {
+                        crossed[index] |= core::mem::take(&mut bits);
+                        index = column / 64;
+                    }
+                    bits |= 1 << (column % 64);
+                }
+                crossed[index] |= bits;
                 next += (stop - r) as i32;
             }
         }

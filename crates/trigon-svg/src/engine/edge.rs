@@ -5,6 +5,7 @@
 //! its lower end, exclusive: so a sample on an edge that two shapes share belongs to exactly one of them.
 
 use super::samples::SampleRows;
+use std::ops::Range;
 
 /// Where points may lie, in pixels, on either side of the origin: beyond, segments are cut.
 const LIMIT: f64 = 32_000.0;
@@ -15,7 +16,7 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 /// Added before rounding by [`Edge::crossing`]: half less a little.
 const CEIL_BIAS: f64 = 0.5 - 1.0 / 67_108_864.0;
 
-/// One segment, upper end first.
+/// One segment, upper end first. Small, because large drawings have millions and read each from memory once a band.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Edge {
     /// The upper end, in 1/256 px.
@@ -23,14 +24,25 @@ pub(crate) struct Edge {
     y: i32,
     /// Change of x per change of y.
     slope: f64,
-    /// Sample rows met: `first..end`.
-    pub(crate) first: i32,
-    pub(crate) end: i32,
-    /// 1 if the path runs down along it, -1 if up.
-    pub(crate) direction: i32,
+    /// The first sample row met.
+    first: u32,
+    /// Twice the row after the last one met, and 1 more if the path runs up.
+    end_and_direction: u32,
 }
 
 impl Edge {
+    /// Sample rows met: `first..end`, in 32 bits.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> [i32; 2] {
+        [self.first as i32, (self.end_and_direction >> 1) as i32]
+    }
+
+    /// 1 if the path runs down along it, -1 if up.
+    #[inline(always)]
+    pub(crate) fn direction(&self) -> i32 {
+        1 - 2 * (self.end_and_direction & 1) as i32
+    }
+
     /// The smallest integer x, in 1/256 px, at or right of the edge in the row of samples at `y`; exact.
     ///
     /// With integer ends no more than 2^24 apart, `t = (y - y0) * slope` is off by less than 2^-27, and the true value is
@@ -43,10 +55,12 @@ impl Edge {
     }
 }
 
-/// Collects the edges of one shape.
+/// Collects the edges of shapes, one after the other.
 pub(crate) struct EdgeBuilder<'a> {
     samples: &'a SampleRows,
     edges: Vec<Edge>,
+    /// Where the edges of the shape at hand begin.
+    first: usize,
     /// Width and height of what is drawn, in pixels.
     size: [u32; 2],
     /// Smallest and largest x of the ends of edges, in 1/256 px.
@@ -84,6 +98,7 @@ impl<'a> EdgeBuilder<'a> {
         Self {
             samples,
             edges: Vec::new(),
+            first: 0,
             size,
             extent_x: [i32::MAX, i32::MIN],
             extent_rows: [i32::MAX, i32::MIN],
@@ -92,14 +107,24 @@ impl<'a> EdgeBuilder<'a> {
         }
     }
 
-    /// Forgets the last shape.
+    /// Forgets all shapes.
     pub(crate) fn clear(&mut self) {
         self.edges.clear();
+    }
+
+    /// Starts a shape.
+    pub(crate) fn begin_shape(&mut self) {
+        self.first = self.edges.len();
         self.extent_x = [i32::MAX, i32::MIN];
         self.extent_rows = [i32::MAX, i32::MIN];
     }
 
-    /// The edges of the shape, in the order of its contours.
+    /// Where the edges of the shape lie in [`edges`](Self::edges), in the order of its contours.
+    pub(crate) fn shape(&self) -> Range<usize> {
+        self.first..self.edges.len()
+    }
+
+    /// The edges of all shapes.
     pub(crate) fn edges(&self) -> &[Edge] {
         &self.edges
     }
@@ -113,13 +138,13 @@ impl<'a> EdgeBuilder<'a> {
     pub(crate) fn columns(&self) -> [u32; 2] {
         let last = i64::from(self.size[0]);
         let column = |x: i64| x.clamp(0, last) as u32;
-        if self.edges.is_empty() { [0, 0] } else { self.extent_x.map(i64::from).map_ends(column) }
+        if self.shape().is_empty() { [0, 0] } else { self.extent_x.map(i64::from).map_ends(column) }
     }
 
     /// Pixel rows `start..end` that the shape may touch, within the picture; empty if none.
     pub(crate) fn rows(&self) -> [u32; 2] {
         let rows = self.samples.rows() as i32;
-        if self.edges.is_empty() {
+        if self.shape().is_empty() {
             [0, 0]
         } else {
             [(self.extent_rows[0] / rows) as u32, (self.extent_rows[1] + rows - 1) as u32 / rows as u32]
@@ -168,7 +193,7 @@ impl<'a> EdgeBuilder<'a> {
 
     #[inline(always)]
     fn snapped_segment(&mut self, a: [i32; 2], b: [i32; 2]) {
-        let (upper, lower, direction) = if a[1] < b[1] { (a, b, 1) } else { (b, a, -1) };
+        let (upper, lower, runs_up) = if a[1] < b[1] { (a, b, 0) } else { (b, a, 1) };
         let end_of_picture = self.size[1] as i32 * self.samples.rows() as i32;
         let first = self.samples.first_row(upper[1]).max(0);
         let end = self.samples.first_row(lower[1]).min(end_of_picture);
@@ -182,7 +207,8 @@ impl<'a> EdgeBuilder<'a> {
             return;
         }
         let slope = f64::from(lower[0] - upper[0]) / f64::from(lower[1] - upper[1]);
-        self.edges.push(Edge { x: upper[0], y: upper[1], slope, first, end, direction });
+        let (first_row, end_and_direction) = (first as u32, 2 * end as u32 + runs_up);
+        self.edges.push(Edge { x: upper[0], y: upper[1], slope, first: first_row, end_and_direction });
         self.extent_rows = [self.extent_rows[0].min(first), self.extent_rows[1].max(end)];
     }
 
@@ -267,7 +293,8 @@ mod tests {
             builder.line_to([20.0, far]);
             builder.close();
             for edge in builder.edges() {
-                for y in (edge.first..edge.end).map(|row| row * 64) {
+                let [first, end] = edge.rows();
+                for y in (first..end).map(|row| row * 64) {
                     assert!(edge.crossing(y).abs() <= 8_192_001, "{far} {edge:?}");
                 }
             }

@@ -10,9 +10,10 @@ use super::samples::SampleRows;
 use super::stroke::{self, Hairline, StrokeMemory};
 use crate::canvas::{FillRule, Outline, Path, Renderer, Transform};
 use std::ops::Range;
+use trigon::schedule::Deadline;
 
-/// Shapes in a chunk.
-const CHUNK: usize = 32;
+/// Most shapes in a chunk.
+const MAX_CHUNK: usize = 256;
 
 /// A shape before it is flattened.
 pub(crate) struct Outlined<'a> {
@@ -29,6 +30,8 @@ pub(crate) struct Outlined<'a> {
 /// The edges of all shapes of a drawing.
 pub(crate) struct Geometry {
     chunks: Vec<Chunk>,
+    /// Shapes in a chunk, as a power of two.
+    chunk_bits: u32,
 }
 
 /// What one thread makes chunks with.
@@ -36,26 +39,27 @@ struct Worker<'a> {
     /// For shapes of samples, and for those with crisp edges.
     builders: [EdgeBuilder<'a>; 2],
     strokes: StrokeMemory,
-    /// The first and last band that each edge of a shape meets.
-    bands: Vec<[u32; 2]>,
+    /// Where the edges of each shape lie in its builder.
+    built: Vec<Range<usize>>,
+    /// By band: the number of edges in the chunk, then where the next shape's edges go.
+    totals: Vec<u32>,
 }
 
-/// The edges of up to [`CHUNK`] shapes.
+/// The edges of up to [`MAX_CHUNK`] shapes, those of a band side by side, shape by shape: bands are drawn one after the
+/// other, and what is read in order is in the cache in time.
 #[derive(Default)]
 struct Chunk {
     edges: Vec<Edge>,
-    /// Where the edges of each band of each shape end.
-    ends: Vec<u32>,
+    /// For each band of each shape: where its edges begin and end.
+    ranges: Vec<[u32; 2]>,
     shapes: Vec<ShapeEdges>,
 }
 
 /// Where one shape's edges lie within its chunk.
 struct ShapeEdges {
     bounds: Bounds,
-    /// Of its first band's edges.
-    first_edge: u32,
-    /// Of its first band, in `ends`.
-    first_end: u32,
+    /// Of its first band, in `ranges`.
+    first_range: u32,
     /// False if each band has to look at all edges of the shape.
     is_sorted: bool,
     is_crisp: bool,
@@ -71,33 +75,24 @@ pub(crate) struct ShapeRef<'a> {
 impl Geometry {
     /// Flattens, snaps and sorts the shapes, for a picture of `size` pixels.
     pub(crate) fn new(shapes: &[Outlined<'_>], samples: &SampleRows, size: [u32; 2], renderer: &Renderer) -> Self {
+        let threads = renderer.threads.max(1);
+        // Some chunks for each thread, so that all end at about the same time.
+        let chunk_len = (shapes.len() / (16 * threads)).clamp(1, MAX_CHUNK).next_power_of_two();
         let mut chunks: Vec<Chunk> = Vec::new();
-        chunks.resize_with(shapes.len().div_ceil(CHUNK), Chunk::default);
-        let worker = |_| Worker {
-            builders: [samples, SampleRows::centers()].map(|samples| EdgeBuilder::new(samples, size)),
-            strokes: StrokeMemory::default(),
-            bands: Vec::new(),
-        };
-        let mut workers: Vec<Worker<'_>> = (0..renderer.threads.clamp(1, chunks.len().max(1))).map(worker).collect();
-        let work = chunks.iter_mut().zip(shapes.chunks(CHUNK));
+        chunks.resize_with(shapes.len().div_ceil(chunk_len), Chunk::default);
+        let worker = |_| Worker::new(samples, size);
+        let mut workers: Vec<Worker<'_>> = (0..threads.min(chunks.len().max(1))).map(worker).collect();
+        let work = chunks.iter_mut().zip(shapes.chunks(chunk_len));
         trigon::schedule::share(&mut workers, work, |worker, (chunk, shapes): (&mut Chunk, &[Outlined<'_>])| {
-            for shape in shapes {
-                let builder = &mut worker.builders[usize::from(shape.is_crisp)];
-                builder.clear();
-                // After the deadline shapes are empty; nobody sees them.
-                if !renderer.deadline.is_over() {
-                    build(shape, &mut worker.strokes, builder);
-                }
-                chunk.add(builder, shape.is_crisp, &mut worker.bands);
-            }
+            worker.build(shapes, renderer.deadline, chunk);
         });
-        Self { chunks }
+        Self { chunks, chunk_bits: chunk_len.trailing_zeros() }
     }
 
     /// The shape with this number, in the order given.
     pub(crate) fn shape(&self, number: usize) -> ShapeRef<'_> {
-        let chunk = &self.chunks[number / CHUNK];
-        ShapeRef { chunk, shape: &chunk.shapes[number % CHUNK] }
+        let chunk = &self.chunks[number >> self.chunk_bits];
+        ShapeRef { chunk, shape: &chunk.shapes[number & ((1 << self.chunk_bits) - 1)] }
     }
 }
 
@@ -118,11 +113,9 @@ impl<'a> ShapeRef<'a> {
         if !bands.contains(&band) {
             return &[];
         }
-        let index =
-            if self.shape.is_sorted { self.shape.first_end + (band - bands.start) } else { self.shape.first_end };
-        let start =
-            if index == self.shape.first_end { self.shape.first_edge } else { self.chunk.ends[index as usize - 1] };
-        &self.chunk.edges[start as usize..self.chunk.ends[index as usize] as usize]
+        let band = if self.shape.is_sorted { band - bands.start } else { 0 };
+        let [start, end] = self.chunk.ranges[(self.shape.first_range + band) as usize];
+        &self.chunk.edges[start as usize..end as usize]
     }
 }
 
@@ -174,59 +167,206 @@ impl LineSink for EdgeBuilder<'_> {
     }
 }
 
-impl Chunk {
-    /// Takes over the shape that a builder holds.
-    fn add(&mut self, builder: &EdgeBuilder<'_>, is_crisp: bool, met: &mut Vec<[u32; 2]>) {
-        let edges = builder.edges();
-        let bounds = Bounds { columns: builder.columns(), rows: builder.rows() };
-        let (first_edge, first_end) = (self.edges.len() as u32, self.ends.len() as u32);
-        let is_sorted = self.sort(edges, builder.rows_per_band(), bands(&bounds), met);
-        if !is_sorted {
-            self.edges.extend_from_slice(edges);
-            self.ends.push(self.edges.len() as u32);
+impl<'a> Worker<'a> {
+    fn new(samples: &'a SampleRows, size: [u32; 2]) -> Self {
+        Self {
+            builders: [samples, SampleRows::centers()].map(|samples| EdgeBuilder::new(samples, size)),
+            strokes: StrokeMemory::default(),
+            built: Vec::new(),
+            totals: vec![0; size[1].div_ceil(BAND_ROWS) as usize],
         }
-        self.shapes.push(ShapeEdges { bounds, first_edge, first_end, is_sorted, is_crisp });
     }
 
-    /// Copies each edge into each band that it meets, in order. Gives up, with nothing changed, if there would be far
-    /// more copies than edges.
-    fn sort(&mut self, edges: &[Edge], rows_per_band: u32, bands: Range<u32>, met: &mut Vec<[u32; 2]>) -> bool {
-        if bands.len() <= 1 {
-            self.edges.extend_from_slice(edges);
-            self.ends.push(self.edges.len() as u32);
+    /// Fills a chunk. After the deadline its shapes are empty; nobody sees them.
+    fn build(&mut self, shapes: &[Outlined<'_>], deadline: Deadline, chunk: &mut Chunk) {
+        self.builders.iter_mut().for_each(EdgeBuilder::clear);
+        self.built.clear();
+        for shape in shapes {
+            let builder = &mut self.builders[usize::from(shape.is_crisp)];
+            builder.begin_shape();
+            if !deadline.is_over() {
+                build(shape, &mut self.strokes, builder);
+            }
+            let bounds = Bounds { columns: builder.columns(), rows: builder.rows() };
+            // Beside the picture nothing is drawn.
+            let built = if bounds.is_empty() { 0..0 } else { builder.shape() };
+            let first_range = chunk.ranges.len() as u32;
+            let counter = BandCounter { rows: BandOfRow::new(builder.rows_per_band()), bands: bands(&bounds) };
+            let is_sorted = counter.count(&builder.edges()[built.clone()], &mut chunk.ranges);
+            self.built.push(built);
+            chunk.shapes.push(ShapeEdges { bounds, first_range, is_sorted, is_crisp: shape.is_crisp });
+        }
+        self.place(chunk);
+        self.copy(chunk);
+    }
+
+    /// Counts become places: band by band, and in a band shape by shape; unsorted shapes come last.
+    fn place(&mut self, chunk: &mut Chunk) {
+        self.totals.fill(0);
+        for shape in chunk.shapes.iter().filter(|shape| shape.is_sorted) {
+            for (total, range) in self.totals[usize_range(bands(&shape.bounds))].iter_mut().zip(chunk.ranges_of(shape))
+            {
+                *total += range[1];
+            }
+        }
+        let mut end = 0;
+        for total in &mut self.totals {
+            end += core::mem::replace(total, end);
+        }
+        for index in 0..chunk.shapes.len() {
+            let shape = &chunk.shapes[index];
+            let (is_sorted, bands, first) =
+                (shape.is_sorted, usize_range(bands(&shape.bounds)), shape.first_range as usize);
+            if is_sorted {
+                for (next, range) in self.totals[bands].iter_mut().zip(&mut chunk.ranges[first..]) {
+                    let start = *next;
+                    *next += range[1];
+                    *range = [start, start];
+                }
+            } else {
+                let start = end;
+                end += chunk.ranges[first][1];
+                chunk.ranges[first] = [start, start];
+            }
+        }
+        if let Some(filler) = self.builders.iter().find_map(|builder| builder.edges().first()) {
+            chunk.edges.resize(end as usize, *filler);
+        }
+    }
+
+    /// Copies each edge to each of its places; the ends of ranges move up.
+    fn copy(&mut self, chunk: &mut Chunk) {
+        for (shape, built) in chunk.shapes.iter().zip(&self.built) {
+            let builder = &self.builders[usize::from(shape.is_crisp)];
+            let edges = &builder.edges()[built.clone()];
+            let bands = bands(&shape.bounds);
+            let first = shape.first_range as usize;
+            if bands.len() == 1 || !shape.is_sorted {
+                let range = &mut chunk.ranges[first];
+                let start = range[0] as usize;
+                range[1] += edges.len() as u32;
+                chunk.edges[start..start + edges.len()].copy_from_slice(edges);
+                continue;
+            }
+            let rows = BandOfRow::new(builder.rows_per_band());
+            for edge in edges {
+                let [from, to] = rows.bands_of(edge).map(|band| first + (band - bands.start) as usize);
+                for range in &mut chunk.ranges[from..=to] {
+                    chunk.edges[range[1] as usize] = *edge;
+                    range[1] += 1;
+                }
+            }
+        }
+    }
+}
+
+impl Chunk {
+    /// Those of a sorted shape, and of the shapes after it.
+    fn ranges_of(&self, shape: &ShapeEdges) -> &[[u32; 2]] {
+        &self.ranges[shape.first_range as usize..]
+    }
+}
+
+/// Counts the edges of a shape by band.
+struct BandCounter {
+    rows: BandOfRow,
+    bands: Range<u32>,
+}
+
+impl BandCounter {
+    /// Adds a range for each band, its number of edges at its end. Where there would be far more copies than edges, adds
+    /// one range for all and is false.
+    fn count(&self, edges: &[Edge], ranges: &mut Vec<[u32; 2]>) -> bool {
+        let first = ranges.len();
+        if self.bands.len() == 1 {
+            ranges.push([0, edges.len() as u32]);
             return true;
         }
-        met.clear();
-        met.extend(edges.iter().map(|edge| {
-            [edge.first as u32 / rows_per_band - bands.start, (edge.end as u32 - 1) / rows_per_band - bands.start]
-        }));
-        let first_end = self.ends.len();
-        self.ends.resize(first_end + bands.len(), 0);
-        let ends = &mut self.ends[first_end..];
+        ranges.resize(first + self.bands.len(), [0, 0]);
         let mut copies = 0;
-        for &[first, last] in met.iter() {
-            for end in &mut ends[first as usize..=last as usize] {
-                *end += 1;
+        for edge in edges {
+            let [from, to] = self.rows.bands_of(edge).map(|band| first + (band - self.bands.start) as usize);
+            for range in &mut ranges[from..=to] {
+                range[1] += 1;
             }
-            copies += (last - first + 1) as usize;
+            copies += to - from + 1;
         }
         if copies > 16 * edges.len() + 4096 {
-            self.ends.truncate(first_end);
+            ranges.truncate(first);
+            ranges.push([0, edges.len() as u32]);
             return false;
         }
-        // Counts become starts; each copy moves its band's start up, until it is the end.
-        let mut next = self.edges.len() as u32;
-        for end in ends.iter_mut() {
-            next += core::mem::replace(end, next);
-        }
-        let Some(filler) = edges.first() else { return true };
-        self.edges.resize(next as usize, *filler);
-        for (edge, &[first, last]) in edges.iter().zip(met.iter()) {
-            for end in &mut ends[first as usize..=last as usize] {
-                self.edges[*end as usize] = *edge;
-                *end += 1;
+        true
+    }
+}
+
+/// Divides sample rows by those of a band: `row * reciprocal / 2^32`, exact for `row * rows_per_band < 2^32`.
+#[derive(Clone, Copy)]
+struct BandOfRow {
+    reciprocal: u64,
+}
+
+impl BandOfRow {
+    fn new(rows_per_band: u32) -> Self {
+        Self { reciprocal: (1 << 32) / u64::from(rows_per_band) + 1 }
+    }
+
+    /// The first and the last band that an edge meets.
+    #[inline(always)]
+    fn bands_of(self, edge: &Edge) -> [u32; 2] {
+        let [first, end] = edge.rows();
+        [first, end - 1].map(|row| (row as u64 * self.reciprocal >> 32) as u32)
+    }
+}
+
+fn usize_range(range: Range<u32>) -> Range<usize> {
+    range.start as usize..range.end as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use trigon::target::{MAX_SIZE, SamplePattern};
+
+    #[test]
+    fn rows_are_divided_exactly() {
+        for rows in [1, 2, 3, 4, 8, 16] {
+            let per_band = rows * BAND_ROWS;
+            let division = BandOfRow::new(per_band);
+            for row in 0..MAX_SIZE * rows {
+                let band = (u64::from(row) * division.reciprocal >> 32) as u32;
+                assert_eq!(band, row / per_band);
             }
         }
-        true
+    }
+
+    #[test]
+    fn a_band_has_the_edges_that_meet_it() {
+        let samples = SampleRows::new(SamplePattern::grid(16).unwrap());
+        let path = Path::circle(100.0, 100.0, 77.0);
+        let outline = Outline::Fill(FillRule::NonZero);
+        let shape = |is_crisp| {
+            let transform = Transform::IDENTITY;
+            Outlined { path: &path, outline: &outline, hairline: None, transform, is_crisp }
+        };
+        let shapes: Vec<Outlined<'_>> = (0..700).map(|number| shape(number % 3 == 0)).collect();
+        let geometry = Geometry::new(&shapes, &samples, [200, 200], &Renderer { threads: 2, ..Renderer::new() });
+        for number in 0..shapes.len() {
+            let shape = geometry.shape(number);
+            assert_eq!(shape.is_crisp(), number % 3 == 0);
+            let rows_per_band = if shape.is_crisp() { 16 } else { 64 };
+            for band in 0..14 {
+                let edges = shape.edges_in(band);
+                let range = (band * rows_per_band) as i32..((band + 1) * rows_per_band) as i32;
+                assert!(edges.iter().all(|edge| edge.rows()[0] < range.end && edge.rows()[1] > range.start));
+                // A closed outline goes up as often as down through every row.
+                let turn = |row: i32| -> i32 {
+                    let met = edges.iter().filter(|edge| edge.rows()[0] <= row && row < edge.rows()[1]);
+                    met.map(Edge::direction).sum()
+                };
+                assert!(range.clone().all(|row| turn(row) == 0));
+                assert_eq!(edges.is_empty(), !(1..=11).contains(&band), "{band}");
+            }
+        }
     }
 }

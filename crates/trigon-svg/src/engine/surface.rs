@@ -1,8 +1,8 @@
 //! A picture, or a layer, in one band: one colour per pixel, and one per sample where an edge made them differ.
 //!
 //! A pixel begins as one colour. The first shape that covers only some of its samples expands it to a [`Line`] of sixteen
-//! (64 bytes, a cache line); an opaque colour over all of it makes it one colour again. Colours are premultiplied and
-//! packed, red in the lowest byte.
+//! (64 bytes, a cache line); an opaque colour over all of it makes it one colour again. Lines of pixels side by side lie
+//! side by side in memory, which is read ahead. Colours are premultiplied and packed, red in the lowest byte.
 
 use super::coverage::Bounds;
 use super::over::Pixels16;
@@ -13,17 +13,26 @@ use trigon::lanes::{LANES, Lanes};
 #[repr(align(64))]
 pub(crate) struct Line(pub(crate) Pixels16);
 
+/// Pixels side by side that get their lines together.
+const GROUP: usize = 8;
+
+/// Of a group without lines.
+const NO_LINES: u32 = u32::MAX;
+
 /// The pixels of a rectangle.
 #[derive(Default)]
 pub(crate) struct Surface {
     bounds: Bounds,
     width: usize,
-    /// One word per pixel: its colour, or, if it is expanded, the number of its line.
+    /// The colour of each pixel that is not expanded.
     words: Vec<u32>,
     /// One bit per pixel: `[row][column / 64]`.
     expanded: Vec<u64>,
+    /// The first line of each group, or [`NO_LINES`]: `[row][column / GROUP]`.
+    groups: Vec<u32>,
+    /// Those past `used_lines` are memory.
     lines: Vec<Line>,
-    free_lines: Vec<u32>,
+    used_lines: usize,
     /// Columns of each row that something was drawn on, relative to the bounds.
     drawn: Vec<[u32; 2]>,
 }
@@ -34,8 +43,9 @@ pub(crate) struct Row<'a> {
     pub(crate) left: u32,
     pub(crate) words: &'a mut [u32],
     pub(crate) expanded: &'a mut [u64],
-    pub(crate) lines: &'a mut Vec<Line>,
-    free_lines: &'a mut Vec<u32>,
+    groups: &'a mut [u32],
+    lines: &'a mut Vec<Line>,
+    used_lines: &'a mut usize,
     drawn: &'a mut [u32; 2],
 }
 
@@ -59,8 +69,9 @@ impl Surface {
         self.words.resize(self.width * rows, color);
         self.expanded.clear();
         self.expanded.resize(self.width.div_ceil(64) * rows, 0);
-        self.lines.clear();
-        self.free_lines.clear();
+        self.groups.clear();
+        self.groups.resize(self.width.div_ceil(GROUP) * rows, NO_LINES);
+        self.used_lines = 0;
         self.drawn.clear();
         self.drawn.resize(rows, [u32::MAX, 0]);
     }
@@ -82,13 +93,14 @@ impl Surface {
     #[inline(always)]
     pub(crate) fn row_mut(&mut self, y: u32) -> Row<'_> {
         let row = (y - self.bounds.rows[0]) as usize;
-        let words_64 = self.width.div_ceil(64);
+        let (words_64, groups) = (self.width.div_ceil(64), self.width.div_ceil(GROUP));
         Row {
             left: self.bounds.columns[0],
             words: &mut self.words[row * self.width..(row + 1) * self.width],
             expanded: &mut self.expanded[row * words_64..(row + 1) * words_64],
+            groups: &mut self.groups[row * groups..(row + 1) * groups],
             lines: &mut self.lines,
-            free_lines: &mut self.free_lines,
+            used_lines: &mut self.used_lines,
             drawn: &mut self.drawn[row],
         }
     }
@@ -121,15 +133,17 @@ impl Surface {
 
     /// Replaces every colour, of pixels and of samples.
     pub(crate) fn map(&mut self, change: impl Fn(u32) -> u32) {
-        let words_64 = self.width.div_ceil(64);
+        let (words_64, groups) = (self.width.div_ceil(64), self.width.div_ceil(GROUP));
         for (index, word) in self.words.iter_mut().enumerate() {
             let (row, x) = (index / self.width, index % self.width);
             if self.expanded[row * words_64 + x / 64] >> (x % 64) & 1 == 0 {
                 *word = change(*word);
+            } else {
+                let line = self.groups[row * groups + x / GROUP] as usize + x % GROUP;
+                for sample in &mut self.lines[line].0 {
+                    *sample = change(*sample);
+                }
             }
-        }
-        for sample in self.lines.iter_mut().flat_map(|line| &mut line.0) {
-            *sample = change(*sample);
         }
     }
 
@@ -137,9 +151,13 @@ impl Surface {
     #[inline(always)]
     pub(crate) fn pixel(&self, x: usize, y: u32) -> Pixel<'_> {
         let row = (y - self.bounds.rows[0]) as usize;
-        let word = self.words[row * self.width + x];
         let is_expanded = self.expanded[row * self.width.div_ceil(64) + x / 64] >> (x % 64) & 1 == 1;
-        if is_expanded { Pixel::Samples(&self.lines[word as usize]) } else { Pixel::Whole(word) }
+        if is_expanded {
+            let first = self.groups[row * self.width.div_ceil(GROUP) + x / GROUP] as usize;
+            Pixel::Samples(&self.lines[first + x % GROUP])
+        } else {
+            Pixel::Whole(self.words[row * self.width + x])
+        }
     }
 }
 
@@ -160,36 +178,31 @@ impl Row<'_> {
     #[inline(always)]
     pub(crate) fn expand<L: Lanes>(&mut self, l: L, x: usize) -> &mut Line {
         let (index, bit) = (x / 64, 1 << (x % 64));
-        if self.expanded[index] & bit == 0 {
-            self.expanded[index] |= bit;
-            let line = Line(l.u32(self.words[x]).to_array());
-            let number = if let Some(number) = self.free_lines.pop() {
-                self.lines[number as usize] = line;
-                number
-            } else {
-                self.lines.push(line);
-                (self.lines.len() - 1) as u32
-            };
-            self.words[x] = number;
+        if self.expanded[index] & bit != 0 {
+            return &mut self.lines[self.groups[x / GROUP] as usize + x % GROUP];
         }
-        &mut self.lines[self.words[x] as usize]
+        self.expanded[index] |= bit;
+        let group = &mut self.groups[x / GROUP];
+        if *group == NO_LINES {
+            *group = *self.used_lines as u32;
+            *self.used_lines += GROUP;
+            if self.lines.len() < *self.used_lines {
+                self.lines.resize(*self.used_lines, Line([0; LANES]));
+            }
+        }
+        let line = &mut self.lines[*group as usize + x % GROUP];
+        line.0 = l.u32(self.words[x]).to_array();
+        line
     }
 
-    /// Takes the lines of pixels `start..end` away; the caller then sets their colours.
+    /// Makes pixels `start..end` hold one colour each; the caller then sets it.
     #[inline(always)]
     pub(crate) fn collapse(&mut self, start: usize, end: usize) {
         let mut next = start;
         while next < end {
             let index = next / 64;
             let stop = end.min((index + 1) * 64);
-            let mask = bits(next, stop);
-            let mut lines = self.expanded[index] & mask;
-            self.expanded[index] &= !mask;
-            while lines != 0 {
-                let x = index * 64 + lines.trailing_zeros() as usize;
-                lines &= lines - 1;
-                self.free_lines.push(self.words[x]);
-            }
+            self.expanded[index] &= !bits(next, stop);
             next = stop;
         }
     }
