@@ -49,42 +49,61 @@ pub fn convolve(mut source: Raster, convolution: &Convolution, deadline: Deadlin
         source.pixels_mut().iter_mut().for_each(|pixel| *pixel = divide(*pixel));
         source.pixels().iter().map(|pixel| pixel[3]).collect()
     });
-    let mut result = Raster::new(source.width(), source.height());
-    let width = source.width();
-    for y in 0..source.height() {
-        if deadline.is_over() {
-            break;
+    let (width, height) = (source.width(), source.height());
+    let mut result = Raster::new(width, height);
+    let mut sums = vec![[0.0; 4]; width];
+    let mut line = vec![[0.0; 4]; width + convolution.columns];
+    for (y, out) in result.pixels_mut().chunks_exact_mut(width.max(1)).enumerate() {
+        sums.fill([0.0; 4]);
+        for row in 0..convolution.rows {
+            // A row of the matrix is much work where there are many.
+            if deadline.is_over() {
+                return result;
+            }
+            let from_y = position(y, row, convolution.target_y, height, convolution.edge);
+            if let Some(from_y) = from_y {
+                read_line(&source.pixels()[from_y * width..(from_y + 1) * width], convolution, &mut line);
+                add_line(&line, convolution, row, &mut sums);
+            }
         }
-        for x in 0..width {
-            let index = y * width + x;
-            let sum = weighted_sum(&source, convolution, x, y);
-            result.pixels_mut()[index] = match &alphas {
-                Some(alphas) => with_alpha(sum, alphas[index], convolution),
-                None => premultiplied(sum, convolution),
+        for (x, (pixel, sum)) in out.iter_mut().zip(&sums).enumerate() {
+            *pixel = match &alphas {
+                Some(alphas) => with_alpha(*sum, alphas[y * width + x], convolution),
+                None => premultiplied(*sum, convolution),
             };
         }
     }
     result
 }
 
-/// Sum over the matrix, channels in 0..=1 times weights.
-fn weighted_sum(source: &Raster, convolution: &Convolution, x: usize, y: usize) -> [f32; 4] {
-    let mut sum = [0.0; 4];
-    for row in 0..convolution.rows {
-        let Some(from_y) = position(y, row, convolution.target_y, source.height(), convolution.edge) else { continue };
-        for column in 0..convolution.columns {
-            let Some(from_x) = position(x, column, convolution.target_x, source.width(), convolution.edge) else {
-                continue;
-            };
-            let (rotated_row, rotated_column) = (convolution.rows - 1 - row, convolution.columns - 1 - column);
-            let weight = convolution.weights[rotated_row * convolution.columns + rotated_column];
-            let pixel = source.pixels()[from_y * source.width() + from_x];
-            for (total, code) in sum.iter_mut().zip(pixel) {
-                *total += f32::from(code) / 255.0 * weight;
+/// Pixels of a row, channels in 0..=1, from the one that the first column of the matrix reads for pixel 0.
+fn read_line(row: &[Pixel], convolution: &Convolution, line: &mut [[f32; 4]]) {
+    for (at, out) in line.iter_mut().enumerate() {
+        let from = position(0, at, convolution.target_x, row.len(), convolution.edge);
+        *out = from.map_or([0.0; 4], |from| row[from].map(|code| f32::from(code) / 255.0));
+    }
+}
+
+/// Adds a row of the matrix to the sums of all pixels: each gets its terms in the order of the columns.
+fn add_line(line: &[[f32; 4]], convolution: &Convolution, row: usize, sums: &mut [[f32; 4]]) {
+    let width = sums.len();
+    for column in 0..convolution.columns {
+        let (rotated_row, rotated_column) = (convolution.rows - 1 - row, convolution.columns - 1 - column);
+        let weight = convolution.weights[rotated_row * convolution.columns + rotated_column];
+        // Nothing is added for what lies outside, not even zero times a weight that may be infinite.
+        let inside = match convolution.edge {
+            Edge::Transparent => {
+                let start = convolution.target_x.saturating_sub(column).min(width);
+                start..(width + convolution.target_x).saturating_sub(column).clamp(start, width)
+            }
+            Edge::Duplicate | Edge::Wrap => 0..width,
+        };
+        for (sum, pixel) in sums[inside.clone()].iter_mut().zip(&line[inside.start + column..]) {
+            for (total, channel) in sum.iter_mut().zip(pixel) {
+                *total += channel * weight;
             }
         }
     }
-    sum
 }
 
 /// Where the matrix cell `cell` reads, for the pixel at `at`; `None` for nothing.
@@ -144,6 +163,45 @@ mod tests {
             let reds: Vec<u8> = convolved.pixels().iter().map(|pixel| pixel[0]).collect();
             assert_eq!(reds, [20, 30, last], "{edge:?}");
         }
+    }
+
+    #[test]
+    fn sums_are_those_of_the_definition() {
+        let mut state = 1u32;
+        let mut random = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            state >> 16
+        };
+        for (columns, rows) in [(1, 1), (3, 3), (5, 2), (2, 7), (19, 4)] {
+            for edge in [Edge::Transparent, Edge::Duplicate, Edge::Wrap] {
+                let pixels = (0..11 * 6).map(|_| [(); 4].map(|()| random().to_le_bytes()[0])).collect();
+                let source = Raster::from_pixels(11, 6, pixels).unwrap();
+                let weights = (0..columns * rows).map(|_| f32::from(random() as u16) / 65_536.0 - 0.4).collect();
+                let (target_x, target_y) = (random() as usize % columns, random() as usize % rows);
+                let (divisor, bias, preserve_alpha) = (0.7 * columns as f32, 0.1, false);
+                let convolution =
+                    Convolution { columns, rows, weights, target_x, target_y, divisor, bias, edge, preserve_alpha };
+                let convolved = convolve(source.clone(), &convolution, Deadline::NEVER);
+                for (x, y) in (0..6).flat_map(|y| (0..11).map(move |x| (x, y))) {
+                    let expected = premultiplied(by_definition(&source, &convolution, x, y), &convolution);
+                    assert_eq!(convolved.pixels()[y * 11 + x], expected, "{columns}x{rows} {edge:?} at {x} {y}");
+                }
+            }
+        }
+    }
+
+    fn by_definition(source: &Raster, convolution: &Convolution, x: usize, y: usize) -> [f32; 4] {
+        let mut sum = [0.0; 4];
+        for (row, column) in (0..convolution.rows).flat_map(|row| (0..convolution.columns).map(move |c| (row, c))) {
+            let from_x = position(x, column, convolution.target_x, source.width(), convolution.edge);
+            let from_y = position(y, row, convolution.target_y, source.height(), convolution.edge);
+            let (Some(from_x), Some(from_y)) = (from_x, from_y) else { continue };
+            let weight = convolution.weights[convolution.weights.len() - 1 - (row * convolution.columns + column)];
+            for (total, code) in sum.iter_mut().zip(source.pixels()[from_y * source.width() + from_x]) {
+                *total += f32::from(code) / 255.0 * weight;
+            }
+        }
+        sum
     }
 
     #[test]
