@@ -6,6 +6,7 @@ use trigon_image::Color;
 use usvg::roxmltree;
 
 use super::convert::Converter;
+use super::fonts::MissingFonts;
 use super::path::transform;
 use super::triangles::{Triangles, rewrite};
 use super::view::Fitted;
@@ -154,6 +155,7 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     let original = parse_xml(text, limits)?;
     in_time()?;
     check_depth(&original, limits)?;
+    check_style(&original, limits)?;
     let mut warnings = Warnings::default();
     let rewritten = rewrite(&original, text, options, &mut warnings);
     let changed;
@@ -167,6 +169,7 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     warn_of_elements(xml, &mut warnings);
     in_time()?;
 
+    let missing = MissingFonts::default();
     let mut usvg_options = usvg::Options {
         resources_dir: options.folder.clone(),
         dpi: options.dpi.clamp(10.0, 4000.0),
@@ -177,6 +180,7 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     if options.folder.is_none() {
         usvg_options.image_href_resolver.resolve_string = Box::new(|_, _| None);
     }
+    usvg_options.font_resolver = missing.watched();
     if may_hold_text(xml) {
         let (fonts, unreadable) = options.fonts.load();
         usvg_options.fontdb = Arc::new(fonts);
@@ -184,9 +188,13 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     }
     in_time()?;
     let tree = usvg::Tree::from_xmltree(xml, &usvg_options).map_err(|error| match error {
-        usvg::Error::ElementsLimitReached => too_many_elements(limits),
+        usvg::Error::ElementsLimitReached | usvg::Error::ParsingFailed(roxmltree::Error::NodesLimitReached) => {
+            too_many_elements(limits)
+        }
         error => SvgError::Malformed(error.to_string()),
     })?;
+    drop(usvg_options);
+    warnings.extend(&missing.into_warnings());
     in_time()?;
     Ok(Document { tree, limits: limits.clone(), warnings, triangles })
 }
@@ -219,6 +227,26 @@ fn check_depth(xml: &roxmltree::Document<'_>, limits: &Limits) -> Result<(), Svg
     if depth > limits.max_element_depth {
         let most = limits.max_element_depth;
         return Err(SvgError::LimitExceeded(format!("{depth} elements are inside each other; {most} are allowed")));
+    }
+    Ok(())
+}
+
+/// An error where so many rules are tried on so many elements that reading would hardly end.
+fn check_style(xml: &roxmltree::Document<'_>, limits: &Limits) -> Result<(), SvgError> {
+    let (mut elements, mut selectors) = (0u64, 0u64);
+    for node in xml.descendants().filter(roxmltree::Node::is_element) {
+        elements += 1;
+        if node.tag_name().name() == "style" {
+            let text = node.descendants().filter_map(|node| node.text().filter(|_| node.is_text()));
+            let ends = text.flat_map(str::bytes).filter(|byte| matches!(byte, b'{' | b',')).count();
+            selectors = selectors.saturating_add(u64::try_from(ends).unwrap_or(u64::MAX));
+        }
+    }
+    if elements.saturating_mul(selectors) > limits.max_style_steps {
+        return Err(SvgError::LimitExceeded(format!(
+            "the file has {elements} elements and {selectors} selectors; {} pairs are allowed",
+            limits.max_style_steps
+        )));
     }
     Ok(())
 }

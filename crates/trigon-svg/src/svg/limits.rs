@@ -9,6 +9,8 @@ pub struct Limits {
     pub max_element_depth: usize,
     /// Elements, after every `use`, marker and pattern is put in; more is an error.
     pub max_elements: usize,
+    /// Elements times selectors of style sheets; more is an error.
+    pub max_style_steps: u64,
     /// Groups inside each other that are drawn; deeper ones are left out, with a warning.
     pub max_depth: usize,
     /// Pixels of a filter's region. A larger region is cut to what lies near the picture, with a warning.
@@ -27,6 +29,7 @@ impl Default for Limits {
             max_bytes: 1 << 28,
             max_element_depth: 1024,
             max_elements: 1_000_000,
+            max_style_steps: 1 << 26,
             max_depth: 1024,
             max_filter_pixels: 1 << 26,
             max_tile_pixels: 1 << 25,
