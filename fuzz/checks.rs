@@ -52,6 +52,14 @@ pub(crate) fn tga(bytes: &[u8]) {
     }
 }
 
+/// A JPEG file: decodes or fails, within the limits.
+pub(crate) fn jpeg(bytes: &[u8]) {
+    let limits = Limits::default().with_max_side(1024).with_max_bytes(4 << 20);
+    if let Ok(image) = decode(bytes, Some(Format::Jpeg), &limits) {
+        assert!(image.width() <= 1024 && image.height() <= 1024);
+    }
+}
+
 fn options() -> LoadOptions {
     let mut options = LoadOptions::default();
     options.threads = NonZeroUsize::new(1);

@@ -37,3 +37,8 @@ fn mtl_corpus_is_survived() {
 fn tga_corpus_is_survived() {
     replay("tga", checks::tga);
 }
+
+#[test]
+fn jpeg_corpus_is_survived() {
+    replay("jpeg", checks::jpeg);
+}

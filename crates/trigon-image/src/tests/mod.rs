@@ -2,6 +2,7 @@
 
 mod animations;
 mod broken_files;
+mod jpeg_pixels;
 mod real_files;
 mod round_trips;
 pub(crate) mod samples;
