@@ -10,21 +10,21 @@ use std::process::Command;
 /// The page that a failing golden test leaves behind, below the target folder.
 const REPORT: &str = "golden-report/index.html";
 
-/// Where golden tests are: package, test, and what their names have in them.
-const TESTS: [(&str, &str, &str); 2] = [("trigon-tests", "golden", ""), ("trigon-cli", "cli", "goldens::")];
+/// Where golden tests are: the test, and what their names have in them.
+const TESTS: [(&str, &str); 2] = [("golden", ""), ("cli", "goldens::")];
 
 /// Runs the golden tests with permission to rewrite the pictures that fail; `filter` is a part of the test's name.
 pub(crate) fn bless(root: &Path, filter: Option<&str>) -> Result<(), String> {
-    for (package, test, names) in TESTS {
+    for (test, names) in TESTS {
         let status = Command::new(env!("CARGO"))
             .current_dir(root)
-            .args(["test", "--package", package, "--test", test, "--", filter.unwrap_or(names)])
+            .args(["test", "--workspace", "--test", test, "--", filter.unwrap_or(names)])
             .env("TRIGON_BLESS", "1")
             .status()
             .map_err(|error| format!("cargo does not start: {error}"))?;
         if !status.success() {
             return Err(format!(
-                "the golden tests of {package} fail even while blessing ({status}): that is not a picture's fault"
+                "the golden tests in '{test}' fail even while blessing ({status}): that is not a picture's fault"
             ));
         }
     }

@@ -10,11 +10,12 @@ pub(super) struct Program {
 }
 
 impl Program {
-    /// Builds it, with the optimization of the tests.
+    /// Builds it as the tests of the command do: built alone, its dependencies would have other features, and all of it
+    /// would be compiled once more.
     pub(super) fn build(root: &Path) -> Result<Self, String> {
         let output = Command::new(env!("CARGO"))
             .current_dir(root)
-            .args(["build", "--quiet", "--profile", "test", "--package", "trigon-cli", "--bin", "trigon"])
+            .args(["test", "--quiet", "--workspace", "--no-run", "--test", "cli"])
             .arg("--message-format=json-render-diagnostics")
             .stderr(Stdio::inherit())
             .output()
@@ -42,10 +43,12 @@ impl Program {
     }
 }
 
-/// The executable that cargo's messages, one JSON object a line, name.
+/// The path of `trigon` in cargo's messages, one JSON object a line.
 fn executable(messages: &str) -> Option<PathBuf> {
     messages.lines().rev().find_map(|line| {
         let message: serde_json::Value = serde_json::from_str(line).ok()?;
-        message.get("executable")?.as_str().map(PathBuf::from)
+        let is_trigon = message["target"]["name"] == "trigon" && message["target"]["kind"][0] == "bin";
+        let is_test = message["profile"]["test"] == true;
+        message["executable"].as_str().filter(|_| is_trigon && !is_test).map(PathBuf::from)
     })
 }
