@@ -120,7 +120,7 @@ impl<'a> Worker<'a> {
             let Some(surface) = surfaces.last_mut() else { break };
             match program.steps[*number as usize] {
                 Step::Fill { shape, rule, shader, blend } => {
-                    if self.cover(shape, rule, band) {
+                    if self.cover(l, shape, rule, band) {
                         let brush = Brush { shader: &self.tables.shaders[shader], blend, full_mask: self.full_mask };
                         brush.paint(l, &self.runs, &step_bounds, surface, &mut self.colors);
                     }
@@ -128,7 +128,7 @@ impl<'a> Worker<'a> {
                 Step::Pixels { image, at, opacity, blend } => {
                     self.copy_pixels(l, image, at, opacity, blend, &step_bounds, surface);
                 }
-                Step::PushClip { clip } => self.push_clip(clip, band),
+                Step::PushClip { clip } => self.push_clip(l, clip, band),
                 Step::PopClip => {
                     self.clips.pop();
                 }
@@ -155,11 +155,11 @@ impl<'a> Worker<'a> {
     }
 
     /// The coverage of a shape inside the open clip paths, into `self.runs`; false if there is none.
-    fn cover(&mut self, shape: usize, rule: FillRule, band: u32) -> bool {
+    fn cover<L: Lanes>(&mut self, l: L, shape: usize, rule: FillRule, band: u32) -> bool {
         if self.clips.last().is_some_and(RunRows::is_empty) {
             return false;
         }
-        self.scanners.scan(self.tables, shape, rule, band, &mut self.runs);
+        self.scanners.scan(l, self.tables, shape, rule, band, &mut self.runs);
         if let Some(clip) = self.clips.last() {
             self.runs.intersect(clip, &mut self.clipped);
             core::mem::swap(&mut self.runs, &mut self.clipped);
@@ -168,9 +168,9 @@ impl<'a> Worker<'a> {
     }
 
     /// Opens a clip path.
-    fn push_clip(&mut self, clip: usize, band: u32) {
+    fn push_clip<L: Lanes>(&mut self, l: L, clip: usize, band: u32) {
         let mut inside = RunRows::default();
-        cover_clip(&mut self.scanners, self.tables, &self.tables.clips[clip], band, &mut inside);
+        cover_clip(l, &mut self.scanners, self.tables, &self.tables.clips[clip], band, &mut inside);
         if let Some(below) = self.clips.last() {
             let mut both = RunRows::default();
             inside.intersect(below, &mut both);
@@ -256,29 +256,29 @@ impl<'a> Scanners<'a> {
     }
 
     /// The coverage of a shape in a band.
-    fn scan(&mut self, tables: &Tables, shape: usize, rule: FillRule, band: u32, out: &mut RunRows) {
+    fn scan<L: Lanes>(&mut self, l: L, tables: &Tables, shape: usize, rule: FillRule, band: u32, out: &mut RunRows) {
         let shape = tables.geometry.shape(shape);
         let rows = [band * BAND_ROWS, (band + 1) * BAND_ROWS];
         let bounds = shape.bounds();
         let bounds = bounds.intersect(&Bounds { columns: bounds.columns, rows });
         if shape.is_crisp() {
-            self.of_centers.scan(shape.edges_in(band), rule, &bounds, out);
+            self.of_centers.scan(l, shape.edges_in(band), rule, &bounds, out);
             out.cover_whole(self.full_mask);
         } else {
-            self.of_samples.scan(shape.edges_in(band), rule, &bounds, out);
+            self.of_samples.scan(l, shape.edges_in(band), rule, &bounds, out);
         }
     }
 }
 
 /// The coverage of a clip path in a band.
-fn cover_clip(scanners: &mut Scanners<'_>, tables: &Tables, clip: &Clip, band: u32, out: &mut RunRows) {
+fn cover_clip<L: Lanes>(l: L, scanners: &mut Scanners<'_>, tables: &Tables, clip: &Clip, band: u32, out: &mut RunRows) {
     out.restart(band * BAND_ROWS);
     let (mut one, mut other) = (RunRows::default(), RunRows::default());
     for (shape, rule, own) in &clip.shapes {
-        scanners.scan(tables, *shape, *rule, band, &mut one);
+        scanners.scan(l, tables, *shape, *rule, band, &mut one);
         if let Some(own) = own {
             let mut inside = RunRows::default();
-            cover_clip(scanners, tables, &tables.clips[*own], band, &mut inside);
+            cover_clip(l, scanners, tables, &tables.clips[*own], band, &mut inside);
             one.intersect(&inside, &mut other);
             core::mem::swap(&mut one, &mut other);
         }
@@ -286,7 +286,7 @@ fn cover_clip(scanners: &mut Scanners<'_>, tables: &Tables, clip: &Clip, band: u
         core::mem::swap(out, &mut other);
     }
     if let Some(further) = clip.intersect {
-        cover_clip(scanners, tables, &tables.clips[further], band, &mut one);
+        cover_clip(l, scanners, tables, &tables.clips[further], band, &mut one);
         out.intersect(&one, &mut other);
         core::mem::swap(out, &mut other);
     }

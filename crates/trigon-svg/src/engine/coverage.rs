@@ -13,6 +13,7 @@ use super::edge::Edge;
 use super::runs::{Run, RunRows};
 use super::samples::SampleRows;
 use crate::canvas::FillRule;
+use trigon::lanes::Lanes;
 
 /// Pixel rows of a band.
 pub(crate) const BAND_ROWS: u32 = 16;
@@ -68,14 +69,23 @@ impl<'a> Scanner<'a> {
         self.width as usize
     }
 
-    /// The coverage of the shape with these edges, inside `bounds`: at most [`BAND_ROWS`] rows.
-    pub(crate) fn scan(&mut self, edges: &[Edge], rule: FillRule, bounds: &Bounds, out: &mut RunRows) {
+    /// The coverage of the shape with these edges, inside `bounds`: at most [`BAND_ROWS`] rows. Never inlined: it is large.
+    #[inline(never)]
+    pub(crate) fn scan<L: Lanes>(&mut self, l: L, edges: &[Edge], rule: FillRule, bounds: &Bounds, out: &mut RunRows) {
         out.restart(bounds.rows[0]);
         if bounds.is_empty() {
             return;
         }
         if edges.len() <= 127 || self.most_edges_met(edges, bounds) <= 127 {
-            self.narrow.scan(self.samples, edges, rule, bounds, out);
+            if self.samples.rows() == 4 {
+                // The usual patterns are worth a kernel for each level.
+                l.vectorize(
+                    #[inline(always)]
+                    || self.narrow.scan_rows::<4>(self.samples, edges, rule, bounds, out),
+                );
+            } else {
+                self.narrow.scan(self.samples, edges, rule, bounds, out);
+            }
         } else {
             self.wide.scan(self.samples, edges, rule, bounds, out);
         }
@@ -212,6 +222,7 @@ impl<W: Word> Cells<W> {
         }
     }
 
+    #[inline(always)]
     fn scan_rows<const R: usize>(
         &mut self,
         samples: &SampleRows,
@@ -261,6 +272,7 @@ struct BandCells<'a, W, const R: usize> {
 impl<W: Word, const R: usize> BandCells<'_, W, R> {
     /// Adds each crossing's change to its pixel. What is crossed left of the bounds counts for their first column; right
     /// of them, for a column that is never drawn.
+    #[inline(always)]
     fn scatter(&mut self, edges: &[Edge]) {
         let (offsets, mut shifts) = (self.samples.offsets_y::<R>(), self.samples.shifts_x::<R>());
         let left = (self.bounds.columns[0] as i32) << 8;

@@ -315,7 +315,7 @@ impl BandOfRow {
     #[inline(always)]
     fn bands_of(self, edge: &Edge) -> [u32; 2] {
         let [first, end] = edge.rows();
-        [first, end - 1].map(|row| (row as u64 * self.reciprocal >> 32) as u32)
+        [first, end - 1].map(|row| ((row as u64 * self.reciprocal) >> 32) as u32)
     }
 }
 
@@ -334,7 +334,7 @@ mod tests {
             let per_band = rows * BAND_ROWS;
             let division = BandOfRow::new(per_band);
             for row in 0..MAX_SIZE * rows {
-                let band = (u64::from(row) * division.reciprocal >> 32) as u32;
+                let band = ((u64::from(row) * division.reciprocal) >> 32) as u32;
                 assert_eq!(band, row / per_band);
             }
         }

@@ -176,7 +176,7 @@ mod tests {
             for edge in [Edge::Transparent, Edge::Duplicate, Edge::Wrap] {
                 let pixels = (0..11 * 6).map(|_| [(); 4].map(|()| random().to_le_bytes()[0])).collect();
                 let source = Raster::from_pixels(11, 6, pixels).unwrap();
-                let weights = (0..columns * rows).map(|_| f32::from(random() as u16) / 65_536.0 - 0.4).collect();
+                let weights = (0..columns * rows).map(|_| f32::from(random().to_le_bytes()[0]) / 256.0 - 0.4).collect();
                 let (target_x, target_y) = (random() as usize % columns, random() as usize % rows);
                 let (divisor, bias, preserve_alpha) = (0.7 * columns as f32, 0.1, false);
                 let convolution =
