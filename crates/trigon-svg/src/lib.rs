@@ -11,4 +11,5 @@ pub mod canvas;
 pub mod cs184;
 mod engine;
 pub mod filter;
+mod linked;
 pub mod svg;

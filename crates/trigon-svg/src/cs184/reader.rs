@@ -13,6 +13,7 @@ use super::primitive::Primitive;
 use super::texture::Texture;
 use super::transform;
 use crate::canvas::Transform;
+use crate::linked;
 use crate::svg::SvgError;
 
 /// What a file holds.
@@ -35,6 +36,8 @@ pub(super) struct Reader {
 const MAX_DEPTH: usize = 256;
 /// Pixels of one texture; more is not read.
 const MAX_TEXTURE_PIXELS: u64 = 1 << 26;
+/// Most bytes of a file of a texture.
+const MAX_TEXTURE_BYTES: usize = 1 << 28;
 
 /// Reads a file; `folder` is where textures are looked for.
 pub(super) fn read(bytes: &[u8], folder: Option<PathBuf>) -> Result<Scene, SvgError> {
@@ -88,7 +91,7 @@ impl Reader {
             return;
         };
         let texture = match &self.folder {
-            Some(folder) => std::fs::read(folder.join(file)).map_err(|error| error.to_string()),
+            Some(folder) => linked::read(&folder.join(file), MAX_TEXTURE_BYTES),
             None => Err("files are not read".to_owned()),
         };
         let texture = texture.and_then(|bytes| decoded(&bytes));
