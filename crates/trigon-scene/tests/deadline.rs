@@ -11,12 +11,10 @@ use trigon_scene::scene::{Camera, Framing, Scene};
 /// Squares behind each other, each larger than the picture, all seen through those before.
 fn slow_scene() -> (Scene, Camera, RenderSettings) {
     let mut obj = String::from("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n");
-    obj.push_str(&"f 1 2 3 4\n".repeat(4000));
+    obj.push_str(&"f 1 2 3 4\n".repeat(1000));
     let scene = load_bytes("squares.obj", obj.as_bytes(), &LoadOptions::default()).unwrap().scene;
     let camera = Framing::default().camera(&scene);
-    let mut settings = RenderSettings::default();
-    (settings.width, settings.height) = (1024, 1024);
-    (scene, camera, settings)
+    (scene, camera, RenderSettings::new(512, 512))
 }
 
 fn renderer(deadline: Deadline) -> Renderer {
