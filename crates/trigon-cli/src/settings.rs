@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::options::{
-    ColorSpaceChoice, CullChoice, InterpolationChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice, Preset,
-    RateChoice, RenderOptions, ShadingOptions, WireframeChoice, WrapChoice,
+    ColorSpaceChoice, CullChoice, Given, InterpolationChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice,
+    Preset, RateChoice, RenderOptions, ShadingOptions, WireframeChoice, WrapChoice,
 };
 use crate::values::Real;
 use trigon::geometry::Cull;
@@ -14,6 +14,7 @@ use trigon::target::{ColorSpace, SamplePattern, ShadingRate};
 use trigon_scene::render::course::games101::{Homework3, Relief};
 use trigon_scene::render::course::tinyrenderer;
 use trigon_scene::render::{RenderSettings, ShaderKind, TextureSampling, Wireframe};
+use trigon_svg::canvas::ImageFilter;
 
 /// The settings that the options ask for.
 pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Result<RenderSettings, Failure> {
@@ -108,6 +109,17 @@ pub(crate) fn sample_pattern(pattern: PatternChoice, samples: u32) -> Result<Sam
         let instead = other.map_or(String::new(), |other| format!(", or add --pattern {other}"));
         Failure::usage(format!("--samples {samples}: the {name} pattern has {counts}; write one of these{instead}"))
     })
+}
+
+/// How textures of triangles in SVG pictures are read: smoothly, but for what the user wrote.
+pub(crate) fn triangle_filter(options: &RenderOptions, given: Given) -> ImageFilter {
+    let (written, usual) = (texture_sampling(options), ImageFilter::SMOOTH);
+    ImageFilter {
+        pixel: if given.pixel_filter { written.pixel } else { usual.pixel },
+        level: if given.level_filter { written.level } else { usual.level },
+        max_anisotropy: if given.anisotropy { written.max_anisotropy } else { usual.max_anisotropy },
+        wrap: if given.wrap { written.wrap.unwrap_or(Wrap::Repeat) } else { usual.wrap },
+    }
 }
 
 fn texture_sampling(options: &RenderOptions) -> TextureSampling {

@@ -65,7 +65,7 @@ fn copies_of_copies_end() {
         write!(content, "<g id='a{level}'>{uses}</g>").unwrap();
     }
     content += "</defs><use xlink:href='#a39'/>";
-    ends(&page(&content));
+    assert!(matches!(draw(&page(&content)), Err(SvgError::LimitExceeded(_))));
 }
 
 #[test]
@@ -246,4 +246,12 @@ fn curves_far_beyond_the_picture_end() {
 fn dashes_of_many_contours_end() {
     let contours = "M0 0H9e9".repeat(5_000);
     ends(&page(&format!("<path d='{contours}' stroke='red' stroke-linecap='round' stroke-dasharray='1e4'/>")));
+}
+
+#[test]
+fn style_sheets_that_would_hardly_end_are_an_error() {
+    let rules = |count: usize| (0..count).map(|i| format!("g > rect.a{i}, .b{i} {{ fill: red }}")).collect::<String>();
+    let file = |count: usize| page(&format!("<style>{}</style>{}", rules(count), "<rect class='c'/>".repeat(4000)));
+    assert!(matches!(draw(&file(20_000)), Err(SvgError::LimitExceeded(_))));
+    assert!(draw(&file(20)).is_ok());
 }

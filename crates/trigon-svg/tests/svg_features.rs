@@ -1,8 +1,9 @@
 //! SVG features by the color of single pixels: what each must do, where nothing is left to taste.
 
 use trigon::lanes::SimdLevel;
+use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
 use trigon_image::Color;
-use trigon_svg::canvas::{Picture, Renderer};
+use trigon_svg::canvas::{ImageFilter, Picture, Renderer};
 use trigon_svg::svg::{Area, Document, FontOptions, Options, Size, SvgError, View};
 
 const GREEN: [u8; 4] = [0, 128, 0, 255];
@@ -216,4 +217,41 @@ fn the_same_bytes_with_any_number_of_threads_and_at_every_level() {
             assert!(draw(threads, simd) == first, "{} with {threads} threads", simd.name());
         }
     }
+}
+
+/// A folder with a TGA file of two texels, red and green.
+fn folder_with_texture() -> std::path::PathBuf {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("svg_features");
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut tga = [0; 18];
+    (tga[2], tga[12], tga[14], tga[16], tga[17]) = (2, 2, 1, 24, 0x20);
+    std::fs::write(folder.join("two.tga"), [&tga[..], &[0, 0, 255, 0, 128, 0]].concat()).unwrap();
+    folder
+}
+
+#[test]
+fn textures_of_triangles_are_read_as_asked() {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 40 40'><texture texid='t' filename='two.tga'/>
+        <textri texid='t' points='0 0 80 0 0 80' uvs='0 0 4 0 0 4'/></svg>";
+    let colors = |wrap, max_anisotropy| {
+        let nearest = ImageFilter::new(PixelFilter::Nearest, LevelFilter::Zero);
+        let triangle_filter = ImageFilter { wrap, max_anisotropy, ..nearest };
+        let options = Options { folder: Some(folder_with_texture()), triangle_filter, ..Options::default() };
+        let document = Document::parse(svg.as_bytes(), &options).unwrap();
+        let (picture, warnings) = document.draw(&View::default(), &Renderer::new(), Color::TRANSPARENT).unwrap();
+        assert!(warnings.is_empty(), "{warnings:?}");
+        [5, 15, 25, 35].map(|x| picture.pixels()[5 * 40 + x])
+    };
+    assert_eq!(colors(Wrap::Repeat, 1), [RED, GREEN, RED, GREEN]);
+    assert_eq!(colors(Wrap::Mirror, 8), [RED, GREEN, GREEN, RED]);
+    assert_eq!(colors(Wrap::ClampToEdge, 1), [RED, GREEN, GREEN, GREEN]);
+    assert_eq!(colors(Wrap::Border([0.0; 4]), 16), [RED, GREEN, CLEAR, CLEAR]);
+}
+
+#[test]
+fn fonts_that_are_not_there_are_named() {
+    let document = parse("<text y='20' font-family='Nowhere'>a</text><text y='30' font-family='Nowhere'>b</text>");
+    let (_, warnings) = document.draw(&View::default(), &Renderer::new(), Color::TRANSPARENT).unwrap();
+    let [warning] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(warning.message.contains("Nowhere") && warning.count == 2, "{warning:?}");
 }

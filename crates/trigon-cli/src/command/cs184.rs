@@ -16,6 +16,11 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     if picture.backdrop.is_some() || picture.overlay.is_some() {
         return Err(Failure::usage("--preset cs184 draws on a white page: leave out --backdrop and --overlay"));
     }
+    if given.anisotropy || given.wrap {
+        return Err(Failure::usage(
+            "--preset cs184 reads textures as the course does: leave out --anisotropy and --wrap",
+        ));
+    }
     let machine = machine::renderer_options(&options.render.machine)?;
     let mut course = course_options(options, given)?;
     course.folder = Some(folder_of(path));

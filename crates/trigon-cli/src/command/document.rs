@@ -53,7 +53,8 @@ pub(super) fn draw(
     let path = &options.render.models[0];
     let view = view(options, given);
     let renderer = renderer(options, given)?;
-    let read_options = options.render.svg_input.to_options(Some(folder_of(path)), max_bytes);
+    let mut read_options = options.render.svg_input.to_options(Some(folder_of(path)), max_bytes);
+    read_options.triangle_filter = settings::triangle_filter(&options.render, given);
     let source = reader.open(path, read_options, max_bytes)?;
     let started = Instant::now();
     let prepared = source.document.prepare(&view, &renderer).map_err(|error| failure(path, &error))?;

@@ -11,6 +11,8 @@ pub(crate) struct Given {
     pub(crate) pattern: bool,
     pub(crate) pixel_filter: bool,
     pub(crate) level_filter: bool,
+    pub(crate) anisotropy: bool,
+    pub(crate) wrap: bool,
 }
 
 impl Given {
@@ -26,6 +28,8 @@ impl Given {
             pattern: is_given("pattern"),
             pixel_filter: is_given("pixel_filter"),
             level_filter: is_given("level_filter"),
+            anisotropy: is_given("anisotropy"),
+            wrap: is_given("wrap"),
         }
     }
 }

@@ -9,7 +9,8 @@ use clap::parser::ValueSource;
 const HEADINGS_FOR_BOTH: [&str; 3] = ["Output", "Picture", "Machine"];
 
 /// Further options that concern both.
-const OPTIONS_FOR_BOTH: [&str; 6] = ["preset", "zoom", "strict", "limits", "pixel_filter", "level_filter"];
+const OPTIONS_FOR_BOTH: [&str; 8] =
+    ["preset", "zoom", "strict", "limits", "pixel_filter", "level_filter", "anisotropy", "wrap"];
 
 /// Options under the headings above that concern models alone.
 const OPTIONS_FOR_MODELS: [&str; 1] = ["shading"];

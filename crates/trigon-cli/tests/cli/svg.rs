@@ -116,6 +116,27 @@ fn linked_pictures_are_found_beside_the_file() {
 }
 
 #[test]
+fn textures_of_triangles_are_read_as_the_options_say() {
+    let mut tga = [0; 18];
+    (tga[2], tga[12], tga[14], tga[16], tga[17]) = (2, 2, 1, 24, 0x20);
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='40' height='40'><texture texid='t' filename='two.tga'/>
+        <textri texid='t' points='0 0 80 0 0 80' uvs='0 0 4 0 0 4'/></svg>";
+    let texels = [&tga[..], &[0, 0, 255, 0, 255, 0]].concat();
+    let folder = Folder::new().with("a.svg", svg).with("two.tga", texels);
+    let (red, green, none) = ([255, 0, 0, 255], [0, 255, 0, 255], [0; 4]);
+    for (options, expected) in [
+        ("", [red, green, green, green]),
+        ("--wrap repeat --anisotropy 8", [red, green, red, green]),
+        ("--wrap mirror", [red, green, green, red]),
+        ("--wrap border", [red, green, none, none]),
+    ] {
+        let picture = folder.picture(&format!("a.svg --pixel-filter nearest {options}"));
+        assert_eq!([5, 15, 25, 35].map(|x| picture.pixel(x, 5)), expected, "{options}");
+    }
+    folder.run("a.svg --preset cs184 --wrap repeat -o b.png").misuses_with(&["--wrap", "cs184"]);
+}
+
+#[test]
 fn broken_files_are_refused_with_a_reason() {
     let folder =
         Folder::new().with("a.svg", "<svg xmlns='http://www.w3.org/2000/svg'><g></svg>").with("b.svg", "no xml");

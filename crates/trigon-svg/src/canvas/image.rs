@@ -2,7 +2,7 @@
 
 use core::fmt;
 use std::sync::Arc;
-use trigon::shade::texture::{Alpha, LevelFilter, PixelFilter, TexelFormat, Texture, TextureDesc, TextureError};
+use trigon::shade::texture::{Alpha, LevelFilter, PixelFilter, TexelFormat, Texture, TextureDesc, TextureError, Wrap};
 use trigon_image::Rgba8Image;
 
 /// An image to draw. Cheap to clone.
@@ -12,19 +12,29 @@ pub struct Image {
 }
 
 /// How an image is sampled at the centre of each pixel.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ImageFilter {
     /// Within a level.
     pub pixel: PixelFilter,
     /// Between the levels of the mip chain.
     pub level: LevelFilter,
+    /// Most samples along the direction in which the image is reduced most, 1 to 16; 1 reduces alike in all directions.
+    pub max_anisotropy: u8,
+    /// What lies outside the image.
+    pub wrap: Wrap,
 }
 
 impl ImageFilter {
     /// Bilinear, and averaged exactly as far as it is reduced.
-    pub const SMOOTH: Self = Self { pixel: PixelFilter::Bilinear, level: LevelFilter::Linear };
+    pub const SMOOTH: Self = Self::new(PixelFilter::Bilinear, LevelFilter::Linear);
     /// The pixel that holds the point (`image-rendering: pixelated`).
-    pub const NEAREST: Self = Self { pixel: PixelFilter::Nearest, level: LevelFilter::Zero };
+    pub const NEAREST: Self = Self::new(PixelFilter::Nearest, LevelFilter::Zero);
+
+    /// These filters, isotropic; outside the image its edge goes on.
+    #[must_use]
+    pub const fn new(pixel: PixelFilter, level: LevelFilter) -> Self {
+        Self { pixel, level, max_anisotropy: 1, wrap: Wrap::ClampToEdge }
+    }
 }
 
 impl Image {

@@ -38,7 +38,7 @@ impl Converter<'_> {
             out.pop_layer();
         } else if let Some(image) = self.filtered_image(group, &chain, upright_from_group) {
             out.push_layer(layer);
-            let filter = ImageFilter { pixel: PixelFilter::Bilinear, level: LevelFilter::Zero };
+            let filter = ImageFilter::new(PixelFilter::Bilinear, LevelFilter::Zero);
             let place = pixels_from_upright * Transform::translate(f64::from(region.x), f64::from(region.y));
             out.image(&image, filter, place, 1.0, BlendMode::Normal);
             out.pop_layer();

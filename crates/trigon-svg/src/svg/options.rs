@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use trigon::schedule::Deadline;
 
 use super::{FontOptions, Limits};
+use crate::canvas::ImageFilter;
 
 /// How an SVG file is read.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Options {
     pub languages: Vec<String>,
     /// Where fonts come from and which one stands for which generic family.
     pub fonts: FontOptions,
+    /// How the textures of `textri` are sampled.
+    pub triangle_filter: ImageFilter,
     /// What a file may cost.
     pub limits: Limits,
     /// When to give up reading: looked at between its steps, so that a step is finished first. How long one takes is
@@ -31,6 +34,7 @@ impl Default for Options {
             dpi: 96.0,
             languages: vec!["en".to_owned()],
             fonts: FontOptions::default(),
+            triangle_filter: ImageFilter::SMOOTH,
             limits: Limits::default(),
             deadline: Deadline::NEVER,
         }

@@ -9,12 +9,14 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use trigon::shade::texture::{Alpha, LevelFilter, PixelFilter, TexelFormat, Texture, TextureDesc};
+use trigon_image::Format;
 use usvg::roxmltree::{Document, Node};
 
 use super::Options;
 use super::warnings::Warnings;
 use crate::canvas::{Image, ImageFilter, Paint, Transform};
 use crate::cs184::number_list;
+use crate::linked;
 
 /// The paints of a document's triangles, by the id of the gradient that stands for each.
 #[derive(Debug, Clone, Default)]
@@ -58,7 +60,9 @@ pub(super) fn rewrite(
                         write_path(&mut rewritten, node, text, &id);
                         triangles.paints.insert(id, paint);
                     }
-                    None => warnings.add(format!("a {} without a triangle is not drawn", node.tag_name().name())),
+                    None => {
+                        warnings.add(format!("a {} without corners or texture is not drawn", node.tag_name().name()));
+                    }
                 }
             }
             _ => {}
@@ -109,10 +113,12 @@ impl Textures<'_> {
 
     fn image(&mut self, file: &str) -> Result<Image, String> {
         let folder = self.options.folder.as_ref().ok_or("linked files are not read")?;
-        let bytes = std::fs::read(folder.join(file)).map_err(|error| error.to_string())?;
+        let path = folder.join(file);
+        let bytes = linked::read(&path, self.options.limits.max_bytes)?;
         let left = self.options.limits.max_image_pixels.saturating_sub(self.pixels);
         let limits = trigon_image::Limits::default().with_max_pixels(left);
-        let pixels = trigon_image::decode(&bytes, None, &limits).map_err(|error| error.to_string())?.into_rgba8();
+        let decoded = trigon_image::decode(&bytes, Format::from_path(&path), &limits);
+        let pixels = decoded.map_err(|error| error.to_string())?.into_rgba8();
         self.pixels += u64::from(pixels.width()) * u64::from(pixels.height());
         Image::new(&pixels).map_err(|error| error.to_string())
     }
@@ -128,7 +134,7 @@ fn paint(node: Node<'_, '_>, textures: &Textures<'_>) -> Option<Paint> {
     let [width, height] = image.size().map(f64::from);
     let texels = pairs(&numbers("uvs"))?.map(|[u, v]| [u * width, v * height]);
     let transform = from_unit(corners) * from_unit(texels).inverse()?;
-    Some(Paint::Image { image: image.clone(), filter: ImageFilter::SMOOTH, transform })
+    Some(Paint::Image { image: image.clone(), filter: textures.options.triangle_filter, transform })
 }
 
 /// The first three points of a list.
@@ -161,6 +167,6 @@ fn mixed(corners: [[f64; 2]; 3], colors: &[f64]) -> Option<Paint> {
     let image = Image::from_texture(Arc::new(Texture::from_floats(&desc, &values).ok()?));
     // Texel centres are at 0.5 and 1.5 of the image.
     let unit_from_image = Transform::new(3.0, 0.0, 0.0, 3.0, -2.5, -2.5);
-    let filter = ImageFilter { pixel: PixelFilter::Bilinear, level: LevelFilter::Zero };
+    let filter = ImageFilter::new(PixelFilter::Bilinear, LevelFilter::Zero);
     Some(Paint::Image { image, filter, transform: from_unit(corners) * unit_from_image })
 }

@@ -2,7 +2,7 @@
 
 use crate::canvas::{Image, ImageFilter, Transform};
 use trigon::lanes::{F32, LANES, Lanes, U32};
-use trigon::shade::texture::{Sampler, Wrap};
+use trigon::shade::texture::Sampler;
 
 /// An image with the map from pixels to its coordinates.
 pub(crate) struct ImageShader {
@@ -20,8 +20,9 @@ impl ImageShader {
         let [width, height] = image.size().map(f64::from);
         let to_uv = (*from_image * Transform::scale(width, height)).inverse()?;
         let sampler = Sampler {
-            wrap_u: Wrap::ClampToEdge,
-            wrap_v: Wrap::ClampToEdge,
+            max_anisotropy: filter.max_anisotropy,
+            wrap_u: filter.wrap,
+            wrap_v: filter.wrap,
             ..Sampler::TRILINEAR.with_filters(filter.pixel, filter.level)
         };
         Some(Self {
