@@ -98,10 +98,10 @@ fn add_line(line: &[[f32; 4]], convolution: &Convolution, row: usize, sums: &mut
             }
             Edge::Duplicate | Edge::Wrap => 0..width,
         };
-        for (sum, pixel) in sums[inside.clone()].iter_mut().zip(&line[inside.start + column..]) {
-            for (total, channel) in sum.iter_mut().zip(pixel) {
-                *total += channel * weight;
-            }
+        // One list of channels: four side by side in each pixel would be shuffled back and forth.
+        let channels = line[inside.start + column..].as_flattened();
+        for (total, channel) in sums[inside].as_flattened_mut().iter_mut().zip(channels) {
+            *total += channel * weight;
         }
     }
 }
