@@ -23,10 +23,12 @@ pub(super) struct Block<'a> {
     pub(super) points: Vec<u32>,
     pub(super) point_lines: LineMap,
     pub(super) events: Vec<Event<'a>>,
-    /// Statements that are not read, and the line of the first of each.
+    /// Statements of the format that are not read, and the line of the first of each.
     pub(super) ignored: Vec<(&'a [u8], u32)>,
-    /// Lines with statements beyond those.
-    pub(super) more_ignored: usize,
+    /// The first word that begins no statement, and its line.
+    pub(super) first_unknown: Option<(&'a [u8], u32)>,
+    /// Lines that begin with such words.
+    pub(super) unknown_lines: usize,
     pub(super) notes: Vec<Note>,
     /// Findings beyond those noted.
     pub(super) suppressed_notes: usize,
@@ -352,15 +354,13 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Notes an unread statement, once per block and keyword.
+    /// Notes an unread statement, once per block and keyword, or a line that is none.
     fn ignore(&mut self, word: &'a [u8], line: u32) {
-        if self.ignored.iter().any(|(known, _)| *known == word) {
-            return;
-        }
-        if self.ignored.len() < 32 {
+        if why_ignored(word).is_empty() {
+            self.first_unknown = self.first_unknown.or(Some((word, line)));
+            self.unknown_lines += 1;
+        } else if self.ignored.iter().all(|(known, _)| *known != word) {
             self.ignored.push((word, line));
-        } else {
-            self.more_ignored += 1;
         }
     }
 

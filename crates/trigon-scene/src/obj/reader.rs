@@ -158,37 +158,34 @@ fn report(
     Ok(())
 }
 
-/// Lists each statement that is not read once: those of the format, and the first few that no OBJ file has, of which text
-/// that is no comment makes many.
+/// Lists each statement of the format that is not read once, and all lines that are none together: exporters leave text
+/// without a comment sign at the head of a file, a word each a line.
 fn report_ignored(
     blocks: &[(Block<'_>, Primitives)],
     lines_before: &[u64],
     file: &str,
     findings: &mut Findings,
 ) -> Result<(), LoadError> {
-    const MAX_UNKNOWN: usize = 5;
     let mut listed: Vec<&[u8]> = Vec::new();
-    let (mut unknown, mut unlisted) = (0, 0);
+    let (mut first_unknown, mut unknown) = (None, 0);
     for ((block, _), &lines) in blocks.iter().zip(lines_before) {
-        unlisted += block.more_ignored;
+        let place = |line: u32| Place::Line(lines + u64::from(line) + 1);
         for &(word, line) in &block.ignored {
-            let why = why_ignored(word);
-            if listed.contains(&word) {
-                continue;
+            if !listed.contains(&word) {
+                listed.push(word);
+                let message = format!("statement {} ignored{}", shorten(word), why_ignored(word));
+                findings.warn(file, place(line), WarningKind::Ignored, message)?;
             }
-            if why.is_empty() && unknown == MAX_UNKNOWN {
-                unlisted += 1;
-                continue;
-            }
-            unknown += usize::from(why.is_empty());
-            listed.push(word);
-            let message = format!("statement {} ignored{why}", shorten(word));
-            findings.warn(file, Place::Line(lines + u64::from(line) + 1), WarningKind::Ignored, message)?;
         }
+        unknown += block.unknown_lines;
+        first_unknown = first_unknown.or(block.first_unknown.map(|(word, line)| (word, place(line))));
     }
-    if unlisted > 0 {
-        let message = format!("{unlisted} or more other lines that are no statements ignored; is this an OBJ file?");
-        findings.warn(file, Place::File, WarningKind::Ignored, message)?;
+    if let Some((word, place)) = first_unknown {
+        let message = match unknown {
+            1 => format!("statement {} ignored", shorten(word)),
+            _ => format!("{unknown} lines that are no statements ignored, the first is {} ...", shorten(word)),
+        };
+        findings.warn(file, place, WarningKind::Ignored, message)?;
     }
     Ok(())
 }
