@@ -40,30 +40,29 @@ pub(crate) fn displace(
     excess: &dyn Fn([f32; 3], [f32; 3]) -> f64,
 ) -> (Mesh, bool) {
     let mut surface = Surface::new(mesh.clone());
-    let mut is_fine = false;
-    for _ in 0..MOST_PASSES {
+    let mut passes_left = MOST_PASSES;
+    loop {
         let moved = relief.moved(&surface);
+        if passes_left == 0 {
+            return (relief.finish(surface, moved), false);
+        }
+        passes_left -= 1;
         let mut edges = relief.long_edges(&surface, &moved, excess);
         // Each edge that is halved costs two triangles, one on either side.
         let room = max_triangles.saturating_sub(surface.mesh.triangles.len()) / 2;
-        is_fine = edges.is_empty();
-        if is_fine || room == 0 {
-            break;
+        if edges.is_empty() || room == 0 {
+            let is_fine = edges.is_empty();
+            return (relief.finish(surface, moved), is_fine);
         }
-        let is_last = edges.len() > room;
-        if is_last {
+        if edges.len() > room {
+            passes_left = 0;
             edges.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
             edges.truncate(room);
         }
         let mut edges: Vec<Edge> = edges.into_iter().map(|(edge, _)| edge).collect();
         edges.sort_unstable();
         surface.split(&edges);
-        if is_last {
-            break;
-        }
     }
-    let moved = relief.moved(&surface);
-    (relief.finish(surface, moved), is_fine)
 }
 
 impl Relief<'_> {

@@ -2,7 +2,7 @@
 //!
 //! Read between the four nearest texels, at full size: a mesh fine enough to show them is what they are read for.
 
-use crate::scene::{Channel, TextureOptions};
+use crate::scene::{ScalarSource, TextureOptions};
 use trigon_image::DecodedImage;
 
 /// A picture of heights and how it lies on a surface.
@@ -20,14 +20,8 @@ pub(crate) struct HeightMap {
 impl HeightMap {
     /// The channel that the options name, or luminance; as stored, without decoding sRGB. White is 1.
     pub(crate) fn new(image: &DecodedImage, options: &TextureOptions) -> Self {
-        let pick = |[r, g, b, a]: [f32; 4]| match options.channel {
-            Some(Channel::Red) => r,
-            Some(Channel::Green) => g,
-            Some(Channel::Blue) => b,
-            Some(Channel::Matte) => a,
-            _ => (0.2126 * r + 0.7152 * g) + 0.0722 * b,
-        };
-        let height = |pixel: [f32; 4]| pick(pixel) * options.gain + options.base;
+        let source = ScalarSource::new(options.channel, ScalarSource::Luminance);
+        let height = |pixel: [f32; 4]| source.of(pixel) * options.gain + options.base;
         let values = match image {
             DecodedImage::Rgba16(image) => {
                 image.pixels().iter().map(|p| height(p.map(|v| f32::from(v) / 65_535.0))).collect()

@@ -44,18 +44,18 @@ impl FrameUniforms {
         let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
         let clip_from_world = shifted(camera.clip_from_world(aspect), settings);
         let forward = camera.forward();
-        let rows = f64::from(size[1].max(1));
+        let [pixel, pixel_per_distance] = camera.pixel_size(size[1]);
         let [x, y, z] = vec3::narrow(camera.eye);
         let (eye, towards_eye, pixel_slope) = match camera.projection {
-            Projection::Perspective { fov_y } => {
+            Projection::Perspective { .. } => {
                 // Clip space is homogeneous: the eye is (0, 0, z, 0), and moving towards it adds a part of that.
                 let z_of_eye = f64::from(camera.clip_from_view(aspect).columns[3][2]);
-                ([x, y, z, 1.0], z_of_eye, 2.0 * libm::tan(fov_y * 0.5) / rows)
+                ([x, y, z, 1.0], z_of_eye, pixel_per_distance)
             }
-            Projection::Orthographic { height } => {
+            Projection::Orthographic { .. } => {
                 let [x, y, z] = vec3::narrow(vec3::scale(forward, -1.0));
                 let range = (camera.far - camera.near).max(f64::MIN_POSITIVE);
-                ([x, y, z, 0.0], 1.0, height / rows / range)
+                ([x, y, z, 0.0], 1.0, pixel / range)
             }
         };
         Self {

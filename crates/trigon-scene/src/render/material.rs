@@ -11,9 +11,9 @@ use super::course::tinyrenderer::Lesson;
 use super::settings::{AlphaMode, RenderSettings};
 use super::shader_kind::ShaderKind;
 use super::texture_cache::TextureCache;
-use super::texture_upload::{Opacity, ScalarSource, Usage};
+use super::texture_upload::{Opacity, Usage};
 use super::working_space::from_display;
-use crate::scene::{Illumination, Material, TextureId, TextureRef};
+use crate::scene::{Illumination, Material, ScalarSource, TextureId, TextureRef};
 use trigon::shade::texture::{PixelFilter, Sampler, Texture, Wrap};
 use trigon::target::ColorSpace;
 

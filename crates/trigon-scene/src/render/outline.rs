@@ -13,7 +13,7 @@ use super::shapes::{Shapes, each_band};
 use trigon::lanes::{F32, I32, Kernel, LANES, Lanes};
 use trigon::pipeline::{Picture, RendererOptions};
 use trigon::target::MAX_SIZE;
-use trigon_image::color::{linear_to_srgb, srgb_to_linear};
+use trigon_image::color::{linear_to_srgb, premultiply, srgb_to_linear, unit_to_u8, unpremultiply};
 
 /// Most pixels of the larger picture: beyond, it is made smaller, and lines are less smooth.
 const MOST_PIXELS: u64 = 1 << 25;
@@ -199,15 +199,13 @@ fn over(below: [f32; 4], line: [f32; 4], part: f32) -> [f32; 4] {
 
 /// A stored colour as linear and premultiplied.
 fn decode([r, g, b, a]: [u8; 4]) -> [f32; 4] {
-    let alpha = f32::from(a) / 255.0;
-    [srgb_to_linear(r) * alpha, srgb_to_linear(g) * alpha, srgb_to_linear(b) * alpha, alpha]
+    premultiply([srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), f32::from(a) / 255.0])
 }
 
 /// The inverse of [`decode`].
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0..=255")]
-fn encode([r, g, b, a]: [f32; 4]) -> [u8; 4] {
-    let straight = |c: f32| linear_to_srgb(if a > 0.0 { c / a } else { 0.0 });
-    [straight(r), straight(g), straight(b), (a * 255.0 + 0.5).clamp(0.0, 255.0) as u8]
+fn encode(color: [f32; 4]) -> [u8; 4] {
+    let [r, g, b, a] = unpremultiply(color);
+    [linear_to_srgb(r), linear_to_srgb(g), linear_to_srgb(b), unit_to_u8(a)]
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use super::frame::FrameUniforms;
 use super::settings::RenderSettings;
 use super::shaders::Shape;
 use crate::math::vec3;
-use crate::scene::{Camera, Projection};
+use crate::scene::Camera;
 use trigon::lanes::{F32, Kernel, LANES, Lanes, U32};
 use trigon::pipeline::{Draw, Frame, FrameStatistics, Outputs, Picture, Renderer, RendererOptions};
 use trigon::schedule::share;
@@ -66,7 +66,7 @@ impl Shapes {
             normals: picture.normal.map_or_else(Vec::new, trigon::target::Plane::into_values),
             objects: picture.object.map_or_else(Vec::new, trigon::target::Plane::into_values),
             view_axis: view_axis(camera),
-            pixel: pixel_size(camera, height),
+            pixel: camera.pixel_size(height).map(narrow),
         };
         for (position, object) in shapes.positions.iter_mut().zip(&shapes.objects) {
             if *object == u32::MAX {
@@ -141,14 +141,6 @@ fn view_axis(camera: &Camera) -> [f32; 4] {
     let forward = camera.forward();
     let [x, y, z] = vec3::narrow(forward);
     [x, y, z, narrow(-vec3::dot(forward, camera.eye))]
-}
-
-fn pixel_size(camera: &Camera, rows: u32) -> [f32; 2] {
-    let rows = f64::from(rows);
-    match camera.projection {
-        Projection::Perspective { fov_y } => [0.0, narrow(2.0 * libm::tan(fov_y * 0.5) / rows)],
-        Projection::Orthographic { height } => [narrow(height / rows), 0.0],
-    }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]

@@ -5,7 +5,7 @@
 //! keep the precision of 16-bit and float files.
 
 use super::working_space::from_linear_premultiplied;
-use crate::scene::Channel;
+use crate::scene::ScalarSource;
 use trigon::shade::texture::{Alpha, MipChain, TexelFormat, Texture, TextureDesc, TextureError};
 use trigon::target::ColorSpace;
 use trigon_image::DecodedImage;
@@ -23,34 +23,6 @@ pub(super) enum Usage {
     Scalar(ScalarSource),
     /// Heights, as luminance; or normals, if the picture looks like a normal map.
     Height,
-}
-
-/// Where a scalar map takes its number from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum ScalarSource {
-    /// One channel.
-    Red,
-    Green,
-    Blue,
-    Alpha,
-    /// The weighted sum of the channels as stored (Rec. 709 weights).
-    Luminance,
-    /// Alpha if the picture has any, else luminance: what people mean by an opacity map.
-    AlphaOrLuminance,
-}
-
-impl ScalarSource {
-    /// The channel of `-imfchan`, or else `default`.
-    pub(super) fn new(channel: Option<Channel>, default: Self) -> Self {
-        match channel {
-            None => default,
-            Some(Channel::Red | Channel::Depth) => Self::Red,
-            Some(Channel::Green) => Self::Green,
-            Some(Channel::Blue) => Self::Blue,
-            Some(Channel::Matte) => Self::Alpha,
-            Some(Channel::Luminance) => Self::Luminance,
-        }
-    }
 }
 
 /// Which opacities a picture holds.
@@ -173,14 +145,12 @@ fn scalar(image: &DecodedImage, size: [u32; 2], source: ScalarSource) -> Result<
         Ok(Uploaded::new(texture, opacity))
     };
     match image {
-        DecodedImage::Rgba16(image) => {
-            floats(image.pixels().iter().map(|p| pick(p.map(word_to_unit), source)).collect())
-        }
-        DecodedImage::RgbaF32(image) => floats(image.pixels().iter().map(|p| pick(*p, source)).collect()),
+        DecodedImage::Rgba16(image) => floats(image.pixels().iter().map(|p| source.of(p.map(word_to_unit))).collect()),
+        DecodedImage::RgbaF32(image) => floats(image.pixels().iter().map(|p| source.of(*p)).collect()),
         image => {
             let image = image.clone().into_rgba8();
             let bytes: Vec<u8> =
-                image.pixels().iter().map(|p| unit_to_byte(pick(p.map(|v| f32::from(v) / 255.0), source))).collect();
+                image.pixels().iter().map(|p| unit_to_byte(source.of(p.map(|v| f32::from(v) / 255.0)))).collect();
             let opacity = Opacity::of(bytes.iter().copied());
             Ok(Uploaded::new(Texture::from_bytes(&desc(TexelFormat::R8), &bytes)?, opacity))
         }
@@ -201,16 +171,6 @@ fn looks_like_normals(image: &DecodedImage) -> bool {
     #[expect(clippy::cast_precision_loss, reason = "a threshold")]
     let is_blue = sum[2] - sum[0].max(sum[1]) > 0.4 * count as f64;
     is_blue && n_unit >= count - count / 10
-}
-
-fn pick([r, g, b, a]: [f32; 4], source: ScalarSource) -> f32 {
-    match source {
-        ScalarSource::Red => r,
-        ScalarSource::Green => g,
-        ScalarSource::Blue => b,
-        ScalarSource::Alpha => a,
-        ScalarSource::Luminance | ScalarSource::AlphaOrLuminance => (0.2126 * r + 0.7152 * g) + 0.0722 * b,
-    }
 }
 
 fn word_to_unit(value: u16) -> f32 {

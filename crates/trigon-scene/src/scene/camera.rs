@@ -107,6 +107,16 @@ impl Camera {
         self.axes().forward
     }
 
+    /// The size of a pixel in world units: `a + b * d` at distance d along the view, for `[a, b]` and a picture with so
+    /// many rows.
+    pub(crate) fn pixel_size(&self, rows: u32) -> [f64; 2] {
+        let rows = f64::from(rows.max(1));
+        match self.projection {
+            Projection::Perspective { fov_y } => [0.0, 2.0 * libm::tan(fov_y * 0.5) / rows],
+            Projection::Orthographic { height } => [height / rows, 0.0],
+        }
+    }
+
     /// The unit vectors to the right and up in the picture, and along the view.
     #[must_use]
     pub fn right_up_forward(&self) -> [Vec3; 3] {

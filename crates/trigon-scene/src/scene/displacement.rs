@@ -3,7 +3,7 @@
 //! Made once for a view, before drawing: what comes out are meshes like any others, whose silhouettes, shadows and
 //! outlines show the relief. How fine they are depends on the view; see [`Displacement::max_edge_px`].
 
-use super::{Camera, Instance, MeshId, Projection, Scene};
+use super::{Camera, Instance, MeshId, Scene};
 use crate::geometry::{HeightMap, Relief, displace};
 use crate::load::{Location, Place, Warning, WarningKind};
 use crate::math::{Mat4, vec3};
@@ -139,12 +139,8 @@ struct View {
 
 impl View {
     fn new(camera: &Camera, [width, height]: [u32; 2]) -> Self {
-        let (width, height) = (f64::from(width.max(1)), f64::from(height.max(1)));
-        let pixel = match camera.projection {
-            Projection::Perspective { fov_y } => [0.0, 2.0 * libm::tan(fov_y * 0.5) / height],
-            Projection::Orthographic { height: units } => [units / height, 0.0],
-        };
-        Self { clip_from_world: camera.clip_from_world(width / height), eye: camera.eye, pixel }
+        let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
+        Self { clip_from_world: camera.clip_from_world(aspect), eye: camera.eye, pixel: camera.pixel_size(height) }
     }
 
     /// The length of an edge in pixels, in the instance where it is longest: as if it lay across the view, because a

@@ -10,6 +10,7 @@ mod framing;
 mod light;
 mod material;
 mod mesh;
+mod scalar_source;
 #[expect(clippy::module_inception, reason = "the central type of the folder")]
 mod scene;
 mod texture;
@@ -20,5 +21,6 @@ pub use framing::Framing;
 pub use light::{Light, LightKind};
 pub use material::{Illumination, Maps, Material};
 pub use mesh::{Mesh, MeshError, Part, Submesh};
+pub(crate) use scalar_source::ScalarSource;
 pub use scene::{Instance, MaterialId, MeshId, Scene, TextureId};
 pub use texture::{Channel, MapProjection, Texture, TextureOptions, TextureRef};

@@ -35,8 +35,7 @@ impl NormalSource<'_> {
             let normal = p.normal.normalize();
             return normal.dot(p.to_eye).lt(0.0).select(-normal, normal);
         }
-        let plane = p.dx.cross(p.dy);
-        let plane = plane.dot(p.to_eye).lt(0.0).select(-plane, plane);
+        let plane = p.plane();
         if self.is_flat {
             return plane.normalize();
         }

@@ -42,6 +42,13 @@ impl<L: Lanes> SurfacePoint<L> {
             footprint: footprint(f),
         }
     }
+
+    /// A normal of the triangle's plane, on the side that is seen; as long as a pixel's area on it.
+    #[inline(always)]
+    pub(super) fn plane(&self) -> Vec3<L> {
+        let plane = self.dx.cross(self.dy);
+        plane.dot(self.to_eye).lt(0.0).select(-plane, plane)
+    }
 }
 
 /// Where textures are read.

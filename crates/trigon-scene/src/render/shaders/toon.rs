@@ -46,7 +46,7 @@ impl Lit<'_> {
         l.note("brightness", brightness);
         l.note("its step", step * step);
         if shines {
-            let highlight = rise(luminance(specular), 0.5);
+            let highlight = rise(luminance(specular), l.f32(0.5));
             other += (l.vec3(surface.specular) * factors.get(Slot::Specular).rgb()) * highlight;
         }
         surface.combine(l, &factors, point.color, cos_eye, diffuse * (light * ((step * step) / brightness)), other)
@@ -56,17 +56,18 @@ impl Lit<'_> {
 /// `value` rounded up to the next of `levels` equal steps to 1, with a short ramp from each to the next.
 #[inline(always)]
 fn stepped<L: Lanes>(l: L, value: F32<L>, levels: u32) -> F32<L> {
-    let scaled = value * levels as f32;
-    let mut level = l.f32(1.0);
-    for edge in 1..levels {
-        level += rise(scaled, edge as f32);
+    if levels < 2 {
+        return l.f32(1.0);
     }
-    level * (1.0 / levels as f32)
+    let scaled = value * levels as f32;
+    // The nearest edge between two steps; those below are passed.
+    let edge = (scaled + 0.5).floor().clamp(1.0, (levels - 1) as f32);
+    (edge + rise(scaled, edge)) * (1.0 / levels as f32)
 }
 
 /// 0 below `edge`, 1 above it.
 #[inline(always)]
-fn rise<L: Lanes>(value: F32<L>, edge: f32) -> F32<L> {
+fn rise<L: Lanes>(value: F32<L>, edge: F32<L>) -> F32<L> {
     /// Wide enough to be smooth, narrow enough to look like an edge.
     const WIDTH: f32 = 0.05;
     let t = ((value - (edge - 0.5 * WIDTH)) * (1.0 / WIDTH)).saturate();

@@ -155,10 +155,8 @@ impl<'a> Games101<'a> {
     /// The unit normal between those of the vertices, or that of the triangle where there are none. World space.
     #[inline(always)]
     fn smooth_normal<L: Lanes>(&self, point: &SurfacePoint<L>) -> Vec3<L> {
-        let plane = point.dx.cross(point.dy);
-        let plane = plane.dot(point.to_eye).lt(0.0).select(-plane, plane);
         let is_usable = point.normal.dot(point.normal).gt(f32::MIN_POSITIVE);
-        is_usable.select(point.normal, plane).normalize()
+        is_usable.select(point.normal, point.plane()).normalize()
     }
 
     /// `normal`, tilted by the slope of the heights. World space.
