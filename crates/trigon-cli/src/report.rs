@@ -70,11 +70,11 @@ pub(crate) struct Report {
 pub(crate) struct Stages {
     /// Reading models and the files they name.
     pub(crate) load: Duration,
-    /// Decoding textures, mip chains, preparing draws.
+    /// Decoding textures, mip chains, displacement.
     pub(crate) upload: Duration,
     /// Vertices, clipping, setup, binning.
     pub(crate) geometry: Duration,
-    /// Rasterization, shading, resolve.
+    /// Rasterization, shading, resolve; preparing draws, occlusion and outlines.
     pub(crate) tiles: Duration,
     /// Making the file's bytes, writing included.
     pub(crate) encode: Duration,

@@ -159,6 +159,7 @@ impl Studio {
     pub(crate) fn draw(&mut self, camera: &Camera) -> Result<Images, Failure> {
         let started = Instant::now();
         self.prepare()?;
+        let prepared = started.elapsed();
         let (statistics, _) = self
             .scene_renderer
             .render(&mut self.renderer, &self.scene, camera, &self.settings, &mut self.picture)
@@ -167,9 +168,10 @@ impl Studio {
 
         let report = &mut self.report;
         let stages = &mut report.stages;
+        stages.upload += prepared;
         stages.geometry += statistics.geometry_time;
-        stages.tiles += statistics.tile_time;
-        stages.upload += elapsed.saturating_sub(statistics.geometry_time + statistics.tile_time);
+        // Effects on the whole picture take time of their own.
+        stages.tiles += elapsed.saturating_sub(prepared + statistics.geometry_time);
         if report.frames == 0 {
             (report.eye, report.target) = (camera.eye, camera.target);
         }
