@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::options::{
     ColorSpaceChoice, CullChoice, Given, InterpolationChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice,
-    Preset, RateChoice, RenderOptions, ShadingOptions, WireframeChoice, WrapChoice,
+    PlaceChoice, Preset, RateChoice, RenderOptions, ShadingOptions, WireframeChoice, WrapChoice,
 };
 use crate::values::Real;
 use trigon::geometry::Cull;
@@ -12,7 +12,6 @@ use trigon::shade::Interpolation;
 use trigon::shade::texture::{LevelFilter, PixelFilter, Wrap};
 use trigon::target::{ColorSpace, SamplePattern, ShadingRate};
 use trigon_scene::render::course::games101::{Homework3, Relief};
-use trigon_scene::render::course::tinyrenderer;
 use trigon_scene::render::{RenderSettings, ShaderKind, TextureSampling, Wireframe};
 use trigon_svg::canvas::ImageFilter;
 
@@ -25,6 +24,12 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
             RateChoice::Pixel => ShadingRate::Pixel,
             RateChoice::Sample => ShadingRate::Sample,
         },
+        shift_px: match shading.sample_at {
+            PlaceChoice::Middle => [0.0; 2],
+            PlaceChoice::LowerLeft => [0.5; 2],
+            PlaceChoice::UpperLeft => [0.5, -0.5],
+        }
+        .map(|shift: f32| shift * f32::from(picture.enlargement)),
         interpolation: match shading.interpolation {
             InterpolationChoice::Perspective => Interpolation::Perspective,
             InterpolationChoice::Affine => Interpolation::Affine,
@@ -54,9 +59,6 @@ pub(crate) fn render_settings(options: &RenderOptions, outputs: Outputs) -> Resu
         outline: options.effects.outline(),
         ..RenderSettings::new(picture.size.width, picture.size.height)
     };
-    if options.preset.preset == Some(Preset::Tinyrenderer) {
-        settings.shift_px = tinyrenderer::SHIFT_PX.map(|shift| shift * f32::from(picture.enlargement));
-    }
     settings.wireframe = shading.wireframe.map(|mode| wireframe(mode, &settings));
     Ok(settings)
 }

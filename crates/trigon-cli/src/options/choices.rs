@@ -60,6 +60,17 @@ pub(crate) enum InterpolationChoice {
     Affine,
 }
 
+/// Where in its pixel a sample lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PlaceChoice {
+    /// Where it should
+    Middle,
+    /// Where whole coordinates are, if y runs up
+    LowerLeft,
+    /// Where whole coordinates are, if y runs down
+    UpperLeft,
+}
+
 /// How texels of one mip level are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PixelFilterChoice {

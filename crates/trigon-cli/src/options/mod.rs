@@ -26,7 +26,7 @@ mod written;
 
 pub(crate) use choices::{
     BitDepth, ColorSpaceChoice, Compression, CullChoice, InputFormat, InterpolationChoice, LevelFilterChoice,
-    PatternChoice, PixelFilterChoice, RateChoice, WireframeChoice, WrapChoice,
+    PatternChoice, PixelFilterChoice, PlaceChoice, RateChoice, WireframeChoice, WrapChoice,
 };
 pub(crate) use cli::{Cli, Command, CompletionsOptions, ManOptions, command_line, with_implied_render};
 pub(crate) use compare::CompareOptions;

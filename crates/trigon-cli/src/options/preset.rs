@@ -82,6 +82,7 @@ const TINYRENDERER: &[Default] = &[
     ("fov", "54.14326470650621"),
     ("lights", "directional:-1,-1,-1:1"),
     ("shader", "tinyrenderer"),
+    ("sample_at", "lower-left"),
     ("cull", "back"),
     ("pixel_filter", "nearest"),
     ("level_filter", "zero"),

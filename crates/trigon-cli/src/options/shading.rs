@@ -1,6 +1,6 @@
 //! Options about surfaces and light.
 
-use super::{ColorSpaceChoice, CullChoice, InterpolationChoice, WireframeChoice};
+use super::{ColorSpaceChoice, CullChoice, InterpolationChoice, PlaceChoice, WireframeChoice};
 use crate::values::{LightValue, Positive, Real};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -32,6 +32,10 @@ pub(crate) struct ShadingOptions {
     /// How texture coordinates, normals and the like vary over triangles
     #[arg(long, value_enum, value_name = "WAY", default_value = "perspective")]
     pub(crate) interpolation: InterpolationChoice,
+
+    /// Where in its pixel a sample lies; several samples are moved as one
+    #[arg(long, value_enum, value_name = "PLACE", default_value = "middle")]
+    pub(crate) sample_at: PlaceChoice,
 
     /// kh of the shaders games101-bump and games101-displacement: steepness [default: 0.2]
     #[arg(long, value_name = "KH", allow_hyphen_values = true)]

@@ -174,7 +174,7 @@ fn every_command_for_models_has_the_defaults_of_the_preset() {
 ///
 /// The program that made the affine pictures has weights of corners with errors of a tenth of a texel, which bump
 /// mapping, that takes differences of neighbouring texels, shows.
-const GAMES101: [(&str, &str, f64); 13] = [
+const GAMES101: [(&str, &str, f64); 18] = [
     ("games101-hw2/zbuffer", "--preset games101-hw2", 0.995),
     ("games101-hw2/ss2x2", "--preset games101-hw2 --samples 4", 0.995),
     ("games101-hw3/standard_normal", "--shader normal", 0.995),
@@ -188,6 +188,11 @@ const GAMES101: [(&str, &str, f64); 13] = [
     ("games101-hw3/standard_displacement", "--shader displacement", 0.995),
     ("games101-hw3/affine_bump", "--shader bump --interpolation affine", 0.99),
     ("games101-hw3/affine_displacement", "--shader displacement --interpolation affine", 0.99),
+    ("games101-hw3/course_normal", "--shader normal --sample-at upper-left", 0.995),
+    ("games101-hw3/course_phong", "--shader phong --sample-at upper-left", 0.995),
+    ("games101-hw3/course_texture", "--shader texture --sample-at upper-left", 0.995),
+    ("games101-hw3/course_bump", "--shader bump --sample-at upper-left", 0.995),
+    ("games101-hw3/course_displacement", "--shader displacement --sample-at upper-left", 0.995),
 ];
 
 /// `cargo test -p trigon-cli --test cli games101_agrees -- --nocapture` prints how well each agrees.
