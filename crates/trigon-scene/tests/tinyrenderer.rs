@@ -127,6 +127,78 @@ fn every_lesson_follows_its_formula() {
     }
 }
 
+/// Two steps of a stair that faces the viewer: x below 0 lies `depth` behind x above 0.
+fn stair(depth: f64) -> Scene {
+    let text = format!(
+        "v 0 -1 0\nv 1 -1 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n\
+         v -1 -1 -{depth}\nv 0 -1 -{depth}\nv 0 1 -{depth}\nv -1 1 -{depth}\nf 5 6 7 8\n"
+    );
+    let mut scene = load_bytes("stair.obj", text.as_bytes(), &LoadOptions::default()).unwrap().scene;
+    scene.lights.push(tinyrenderer::light());
+    scene
+}
+
+/// As [`draw`], from the front.
+fn draw_from_front(scene: &Scene, lesson: Lesson) -> Rgba8Image {
+    let mut renderer = Renderer::new(RendererOptions::from_env().unwrap()).unwrap();
+    let mut picture = Picture::default();
+    let camera = tinyrenderer::camera([0.0, 0.0, 3.0], scene);
+    let settings = tinyrenderer::settings(lesson);
+    SceneRenderer::new().render(&mut renderer, scene, &camera, &settings, &mut picture).unwrap();
+    Rgba8Image::from_pixels(800, 800, picture.color.unwrap().into_values()).unwrap()
+}
+
+#[test]
+fn depths_are_those_of_the_program() {
+    let picture = draw_from_front(&stair(0.6), Lesson::Depth);
+    // z/w with w = 1 - z/3, as a grey: 0 in the plane of the target.
+    let grey = |z: f64| ((z / (1.0 - z / 3.0) + 1.0) * 127.5).floor();
+    for (x, z) in [(600, 0.0), (200, -0.6)] {
+        let [r, g, b, _] = picture.pixel(x, 400);
+        assert!((f64::from(r) - grey(z)).abs() <= 1.0 && r == g && g == b, "{r} is not {}", grey(z));
+    }
+    assert_eq!(picture.pixel(5, 5), [0, 0, 0, 255], "black where nothing is");
+}
+
+#[test]
+fn toon_has_three_steps_and_lines_at_steps_in_depth() {
+    // n.l = 1 / sqrt(3), and 0.15: the brightest step. A step in depth of h makes 4 h of Sobel's filter.
+    let outlined = draw_from_front(&stair(0.1), Lesson::Toon);
+    assert_eq!(outlined.pixel(600, 400), [255, 224, 88, 255]);
+    assert_eq!([399, 400].map(|x| outlined.pixel(x, 300)), [[0, 0, 0, 255]; 2], "both sides of the step");
+    assert_eq!(outlined.pixel(402, 300), [255, 224, 88, 255]);
+    let smooth = draw_from_front(&stair(0.02), Lesson::Toon);
+    assert_eq!(smooth.pixel(400, 300), [255, 224, 88, 255], "0.08 is below the threshold of 0.15");
+    // The second model is grey.
+    let mut two = stair(0.1);
+    let mut second = stair(0.1);
+    second.instances[0].world_from_model.columns[3][0] = -0.2;
+    second.instances[0].world_from_model.columns[3][2] = 0.2;
+    two.merge(second);
+    assert_eq!(draw_from_front(&two, Lesson::Toon).pixel(200, 400), [88, 98, 123, 255]);
+}
+
+#[test]
+fn occlusion_darkens_the_foot_of_a_step_only() {
+    let picture = draw_from_front(&stair(0.1), Lesson::Occlusion);
+    let mean = |columns: std::ops::Range<u32>| {
+        let n = f64::from((columns.end - columns.start) * 100);
+        columns
+            .flat_map(|x| (350..450).map(move |y| (x, y)))
+            .map(|(x, y)| f64::from(picture.pixel(x, y)[0]))
+            .sum::<f64>()
+            / n
+    };
+    // On a plane half of the points lie behind it: smoothstep(1 - 0.4 / 2) = 0.896.
+    let level = 0.896 * 255.0;
+    assert!((mean(550..600) - level).abs() < 4.0, "{} is not {level}", mean(550..600));
+    assert!((mean(200..250) - level).abs() < 4.0, "{} is not {level}", mean(200..250));
+    let (foot, edge) = (mean(390..398), mean(402..410));
+    assert!(foot < level - 15.0, "beside the step {foot} is darker than {level}");
+    assert!(edge > level + 5.0, "on its edge {edge} is lighter");
+    assert_eq!(picture.pixel(5, 5), [209, 195, 177, 255], "the background stays");
+}
+
 #[test]
 fn pictures_that_are_not_there_are_named_and_done_without() {
     let mut scene = load_bytes("poster.obj", SQUARE.as_bytes(), &LoadOptions::default()).unwrap().scene;

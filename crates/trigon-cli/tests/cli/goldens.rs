@@ -113,7 +113,7 @@ fn tinyrenderer_lessons() {
     draw("--shader tinyrenderer-phong", "courses/tinyrenderer-phong");
     draw("--shader tinyrenderer-tangent-normals", "courses/tinyrenderer-tangent-normals");
     draw("--shader tinyrenderer-glow", "courses/tinyrenderer-glow");
-    draw("--shader depth", "courses/tinyrenderer-depth");
+    draw("--shader tinyrenderer-depth", "courses/tinyrenderer-depth");
     let folder = folder.with("cube.obj", asset("cube.obj"));
     let lines = "cube.obj --preset tinyrenderer --quiet --size 96 --scale 0.5 --wireframe=only --background #000";
     draws(&folder, lines, "courses/tinyrenderer-lines");
@@ -124,8 +124,8 @@ fn tinyrenderer_passes() {
     let folder = painted_teapot();
     let draw = |options: &str, case: &str| draws(&folder, &format!("{TEAPOT} --preset tinyrenderer {options}"), case);
     draw("--shadows --shadow-map-size 256", "courses/tinyrenderer-shadows");
-    draw("--shader occlusion --ssao-radius 0.4 --ssao-strength 2", "courses/tinyrenderer-occlusion");
-    draw("--shader toon --outline --outline-width 1", "courses/tinyrenderer-toon");
+    draw("--shader tinyrenderer-ssao", "courses/tinyrenderer-occlusion");
+    draw("--shader tinyrenderer-toon", "courses/tinyrenderer-toon");
 }
 
 /// Normals in the model's coordinates: those of a sphere, with ripples around its axis.

@@ -26,6 +26,8 @@ pub(super) struct Piece<'a> {
     pub(super) submesh: &'a Submesh,
     /// Number of the part among all parts of all instances.
     pub(super) object: u32,
+    /// Number of the instance.
+    pub(super) model: usize,
     pub(super) surface: Surface<'a>,
 }
 
@@ -188,7 +190,7 @@ impl Piece<'_> {
         let mesh = self.view(frame);
         match (settings.shader, is_point) {
             (ShaderKind::Tinyrenderer(lesson), false) => {
-                return Box::new(Tinyrenderer::new(frame, mesh, &self.surface, lesson));
+                return Box::new(Tinyrenderer::new(frame, mesh, &self.surface, lesson, self.model));
             }
             (ShaderKind::Games101(shading), false) => {
                 return Box::new(Games101::new(frame, mesh, &self.surface, shading));

@@ -1,5 +1,6 @@
 //! What all shaders of a frame share: the camera and the light.
 
+use super::course::depth_buffer::DepthScale;
 use super::course::games101::Relief;
 use super::lights::{Lighting, Source};
 use super::occlusion::OcclusionMap;
@@ -35,6 +36,8 @@ pub(super) struct FrameUniforms {
     pub(super) pixel_slope: f32,
     /// `dot(axis, position) + offset` is 0 at the near end of what is shown and 1 at the far end.
     pub(super) depth_axis: [f32; 4],
+    /// Depths as tinyrenderer counts them.
+    pub(super) depth_scale: DepthScale,
 }
 
 impl FrameUniforms {
@@ -71,6 +74,7 @@ impl FrameUniforms {
             occlusion: None,
             clip_z_towards_eye: towards_eye as f32,
             pixel_slope: pixel_slope as f32,
+            depth_scale: DepthScale::new(camera),
             depth_axis: if settings.shader == ShaderKind::Depth { depth_axis(scene, camera) } else { [0.0; 4] },
         }
     }

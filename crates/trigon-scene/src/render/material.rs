@@ -200,7 +200,7 @@ fn stored_values(material: &Material, lesson: Lesson) -> Vec<Request<'_>> {
     let maps = &material.maps;
     let requests = [
         (Slot::Diffuse, lesson.has_colors(), &maps.diffuse, Usage::Vector),
-        (Slot::Normal, lesson.is_bent(), &maps.normal, Usage::Vector),
+        (Slot::Normal, lesson.has_normal_map(), &maps.normal, Usage::Vector),
         (Slot::Specular, lesson.has_colors(), &maps.specular, Usage::Scalar(ScalarSource::Blue)),
         (Slot::Emissive, lesson == Lesson::Glow, &maps.emissive, Usage::Vector),
     ];

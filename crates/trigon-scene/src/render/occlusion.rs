@@ -40,6 +40,12 @@ struct Field<'a> {
 const WIDEST: f32 = 0.25;
 
 impl OcclusionMap {
+    /// The map of openness that is known for each pixel.
+    pub(super) fn of(openness: Vec<f32>, shapes: &Shapes, reach: f32) -> Self {
+        let Shapes { width, height, view_axis, .. } = *shapes;
+        Self { width, height, openness, distances: shapes.distances(), view_axis, reach }
+    }
+
     /// Measures the surfaces of a picture of a scene of that radius.
     pub(super) fn new(
         shapes: &Shapes,

@@ -42,14 +42,19 @@ pub(super) fn draw(picture: &mut Picture, shapes: &Shapes, scale: u32, outline: 
     let (width, height) = (shapes.width / scale, shapes.height / scale);
     let mut coverage = vec![0.0; width as usize * height as usize];
     each_band(options, width, &mut coverage, |y, rows| lines.cover(y, rows));
+    lay(picture, &coverage, outline.color);
+}
+
+/// Lays `color` (linear light, premultiplied) over the part of each pixel that `coverage` says.
+pub(super) fn lay(picture: &mut Picture, coverage: &[f32], line: [f32; 4]) {
     if let Some(color) = &mut picture.color {
-        for (pixel, part) in color.values_mut().iter_mut().zip(&coverage).filter(|(_, part)| **part > 0.0) {
-            *pixel = encode(over(decode(*pixel), outline.color, *part));
+        for (pixel, part) in color.values_mut().iter_mut().zip(coverage).filter(|(_, part)| **part > 0.0) {
+            *pixel = encode(over(decode(*pixel), line, *part));
         }
     }
     if let Some(color) = &mut picture.color_f32 {
-        for (pixel, part) in color.values_mut().iter_mut().zip(&coverage).filter(|(_, part)| **part > 0.0) {
-            *pixel = over(*pixel, outline.color, *part);
+        for (pixel, part) in color.values_mut().iter_mut().zip(coverage).filter(|(_, part)| **part > 0.0) {
+            *pixel = over(*pixel, line, *part);
         }
     }
 }

@@ -3,6 +3,7 @@
 //! In: a scene, a camera, settings. Out: a picture, counts, warnings. Textures and facts about meshes are made when a
 //! frame first needs them; uniforms, surfaces and draws are made anew for each frame.
 
+use super::course::tinyrenderer::Lesson;
 use super::draws::{self, Item, Piece};
 use super::edges::unique_edges;
 use super::error::RenderError;
@@ -20,6 +21,7 @@ use super::texture_cache::TextureCache;
 use super::working_space::{from_linear, from_linear_premultiplied, pixels_to_linear};
 use crate::load::Warning;
 use crate::scene::{Camera, Instance, LightKind, Material, Mesh, Scene};
+use std::borrow::Cow;
 use trigon::pipeline::{Draw, Frame, FrameError, FrameStatistics, Outputs, Picture, Renderer};
 use trigon::target::ColorSpace;
 
@@ -41,6 +43,8 @@ struct Made<'f, 'a> {
     items: &'f [Item<'f>],
     draws: &'f [Draw<'f>],
     uniforms: &'f FrameUniforms,
+    /// The visible surfaces, as large as the picture, if a pass needed them.
+    shapes: Option<Shapes>,
 }
 
 /// What is known of a mesh beyond its data.
@@ -105,10 +109,15 @@ impl SceneRenderer {
         let drawn = self.with_draws(renderer, scene, camera, settings, |renderer, made| {
             let mut statistics = renderer.render(&frame(settings), made.draws, picture)?;
             finish(picture, settings, made.items);
+            if settings.shows_light() && settings.shader == ShaderKind::Tinyrenderer(Lesson::Toon) {
+                let (shapes, times) = made.shapes(renderer, camera, settings, 1)?;
+                let lines = made.uniforms.depth_scale.lines(&shapes, renderer.options());
+                outline::lay(picture, &lines, [0.0, 0.0, 0.0, 1.0]);
+                add_times(&mut statistics, &times);
+            }
             if let Some(outline) = settings.shown_outline() {
                 let scale = outline::scale(settings);
-                let size = [settings.width * scale, settings.height * scale];
-                let (shapes, times) = Shapes::draw(renderer, made.pieces, camera, made.uniforms, settings, size)?;
+                let (shapes, times) = made.shapes(renderer, camera, settings, scale)?;
                 outline::draw(picture, &shapes, scale, &outline, renderer.options());
                 add_times(&mut statistics, &times);
             }
@@ -140,7 +149,8 @@ impl SceneRenderer {
             Ok(SceneStory::new(story, scene, made.pieces, made.items))
         })?;
         // Last steps that look at the whole picture.
-        if settings.shader == ShaderKind::Overdraw || settings.outline.is_some() {
+        let has_lines = settings.outline.is_some() || settings.shader == ShaderKind::Tinyrenderer(Lesson::Toon);
+        if settings.shader == ShaderKind::Overdraw || has_lines {
             let mut picture = Picture::default();
             let settings = RenderSettings { outputs: Outputs::COLOR, ..*settings };
             self.render(renderer, scene, camera, &settings, &mut picture)?;
@@ -167,18 +177,25 @@ impl SceneRenderer {
         if let Some(settings) = settings.shadows.filter(|_| settings.shows_light()) {
             add_times(&mut passes, &shadows.draw(renderer, scene, &pieces, &settings, &mut uniforms.lighting)?);
         }
+        let mut shapes = None;
         if let Some(occlusion) = settings.shown_occlusion() {
             let size = [settings.width, settings.height];
-            let (shapes, times) = Shapes::draw(renderer, &pieces, camera, &uniforms, settings, size)?;
-            let radius = scene.bounding_box().radius();
-            uniforms.occlusion = Some(OcclusionMap::new(&shapes, &occlusion, radius, renderer.options()));
+            let (drawn, times) = Shapes::draw(renderer, &pieces, camera, &uniforms, settings, size)?;
+            uniforms.occlusion = Some(if settings.shader == ShaderKind::Tinyrenderer(Lesson::Occlusion) {
+                let openness = uniforms.depth_scale.openness(&drawn, &occlusion, renderer.options());
+                OcclusionMap::of(openness, &drawn, f32::MAX)
+            } else {
+                OcclusionMap::new(&drawn, &occlusion, scene.bounding_box().radius(), renderer.options())
+            });
+            shapes = Some(drawn);
             add_times(&mut passes, &times);
         }
         let blended = draws::sort_blended(&pieces, settings, &uniforms);
         let items = draws::list(&pieces, &blended, settings, &uniforms);
         let draws: Vec<Draw<'_>> = (0u32..).zip(&items).map(|(number, item)| draw(item, number)).collect();
-        let made = Made { pieces: &pieces, items: &items, draws: &draws, uniforms: &uniforms };
+        let made = Made { pieces: &pieces, items: &items, draws: &draws, uniforms: &uniforms, shapes };
         let done = work(renderer, &made)?;
+        drop(made);
         drop(draws);
         drop(items);
         shadows.take_back(uniforms.lighting);
@@ -190,7 +207,7 @@ impl SceneRenderer {
         let needs = needs(scene, settings);
         let mut pieces = Vec::new();
         let mut first_object = 0;
-        for instance in &scene.instances {
+        for (model, instance) in scene.instances.iter().enumerate() {
             let index = usize::try_from(instance.mesh.0).unwrap_or(usize::MAX);
             let (Some(mesh), Some(facts)) = (scene.meshes.get(index), self.facts.get(index)) else { continue };
             for submesh in &mesh.submeshes {
@@ -199,11 +216,32 @@ impl SceneRenderer {
                 if surface.is_neutral && submesh.triangles.is_empty() && !facts.has_point_normals {
                     surface.diffuse = from_linear(settings.color_space, settings.ink());
                 }
-                pieces.push(Piece { instance, mesh, facts, submesh, object: first_object + submesh.part, surface });
+                let object = first_object + submesh.part;
+                pieces.push(Piece { instance, mesh, facts, submesh, object, model, surface });
             }
             first_object += u32::try_from(mesh.parts.len().max(1)).unwrap_or(1);
         }
         pieces
+    }
+}
+
+impl Made<'_, '_> {
+    /// The visible surfaces, drawn `scale` times as large as the picture, and what drawing them took.
+    fn shapes(
+        &self,
+        renderer: &mut Renderer,
+        camera: &Camera,
+        settings: &RenderSettings,
+        scale: u32,
+    ) -> Result<(Cow<'_, Shapes>, FrameStatistics), RenderError> {
+        match &self.shapes {
+            Some(shapes) if scale == 1 => Ok((Cow::Borrowed(shapes), FrameStatistics::default())),
+            _ => {
+                let size = [settings.width * scale, settings.height * scale];
+                let (shapes, times) = Shapes::draw(renderer, self.pieces, camera, self.uniforms, settings, size)?;
+                Ok((Cow::Owned(shapes), times))
+            }
+        }
     }
 }
 
@@ -269,7 +307,7 @@ fn frame(settings: &RenderSettings) -> Frame {
         color_space: if is_overdraw { ColorSpace::Linear } else { settings.color_space },
         clear: match settings.shader {
             ShaderKind::Overdraw => [0.0; 4],
-            ShaderKind::Coverage => [0.0, 0.0, 0.0, 1.0],
+            ShaderKind::Coverage | ShaderKind::Tinyrenderer(Lesson::Depth) => [0.0, 0.0, 0.0, 1.0],
             _ => from_linear_premultiplied(settings.color_space, settings.background),
         },
         outputs: Outputs {

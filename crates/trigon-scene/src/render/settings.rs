@@ -1,6 +1,8 @@
 //! How a scene is drawn: everything that is neither scene nor camera.
 
+use super::course::depth_buffer;
 use super::course::games101::Relief;
+use super::course::tinyrenderer::Lesson;
 use super::{AmbientOcclusion, Outline, ShaderKind, Shadows};
 use trigon::geometry::Cull;
 use trigon::pipeline::Outputs;
@@ -108,6 +110,9 @@ impl RenderSettings {
     pub(super) fn shown_occlusion(&self) -> Option<AmbientOcclusion> {
         if self.shader == ShaderKind::Occlusion && (self.outputs.color || self.outputs.color_f32) {
             return Some(self.ambient_occlusion.unwrap_or_default());
+        }
+        if self.shader == ShaderKind::Tinyrenderer(Lesson::Occlusion) && self.shows_light() {
+            return Some(self.ambient_occlusion.unwrap_or(depth_buffer::OCCLUSION));
         }
         self.ambient_occlusion.filter(|_| self.shows_light())
     }

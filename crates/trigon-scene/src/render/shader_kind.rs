@@ -50,7 +50,7 @@ pub struct UnknownShader(pub String);
 
 impl ShaderKind {
     /// All kinds, the default first.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 28] = [
         Self::BlinnPhong,
         Self::Flat,
         Self::Toon,
@@ -71,6 +71,9 @@ impl ShaderKind {
         Self::Tinyrenderer(Lesson::ObjectNormals),
         Self::Tinyrenderer(Lesson::TangentNormals),
         Self::Tinyrenderer(Lesson::Glow),
+        Self::Tinyrenderer(Lesson::Occlusion),
+        Self::Tinyrenderer(Lesson::Toon),
+        Self::Tinyrenderer(Lesson::Depth),
         Self::Games101(Homework3::Normal),
         Self::Games101(Homework3::Texture),
         Self::Games101(Homework3::Phong),

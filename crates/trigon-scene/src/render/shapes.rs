@@ -16,6 +16,7 @@ use trigon::pipeline::{Draw, Frame, FrameStatistics, Outputs, Picture, Renderer,
 use trigon::schedule::share;
 
 /// The visible surfaces of a picture, row by row.
+#[derive(Clone)]
 pub(super) struct Shapes {
     pub(super) width: u32,
     pub(super) height: u32,

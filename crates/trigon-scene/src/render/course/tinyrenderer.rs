@@ -28,12 +28,27 @@ pub enum Lesson {
     TangentNormals,
     /// As the final one, and parts that give off light.
     Glow,
+    /// White, and darker where what is around is nearer to the eye.
+    Occlusion,
+    /// Three steps of diffuse light on a colour, by turns orange and grey for each model, with black outlines.
+    Toon,
+    /// Depths as greys: black at -1 and white at 1, the point that is looked at in the middle.
+    Depth,
 }
 
 impl Lesson {
     /// All of them, the final one first.
-    pub const ALL: [Self; 6] =
-        [Self::Final, Self::Flat, Self::Phong, Self::ObjectNormals, Self::TangentNormals, Self::Glow];
+    pub const ALL: [Self; 9] = [
+        Self::Final,
+        Self::Flat,
+        Self::Phong,
+        Self::ObjectNormals,
+        Self::TangentNormals,
+        Self::Glow,
+        Self::Occlusion,
+        Self::Toon,
+        Self::Depth,
+    ];
 
     /// The name of its shader.
     #[must_use]
@@ -45,6 +60,9 @@ impl Lesson {
             Self::ObjectNormals => "tinyrenderer-object-normals",
             Self::TangentNormals => "tinyrenderer-tangent-normals",
             Self::Glow => "tinyrenderer-glow",
+            Self::Occlusion => "tinyrenderer-ssao",
+            Self::Toon => "tinyrenderer-toon",
+            Self::Depth => "tinyrenderer-depth",
         }
     }
 
@@ -58,6 +76,9 @@ impl Lesson {
             Self::ObjectNormals => "tinyrenderer: normals in the model's coordinates",
             Self::TangentNormals => "tinyrenderer: normals in the surface's coordinates",
             Self::Glow => "tinyrenderer: parts give off light",
+            Self::Occlusion => "tinyrenderer: white, dark where little light comes",
+            Self::Toon => "tinyrenderer: three steps of light and outlines",
+            Self::Depth => "tinyrenderer: depths as greys",
         }
     }
 
@@ -66,9 +87,14 @@ impl Lesson {
         matches!(self, Self::Final | Self::TangentNormals | Self::Glow)
     }
 
-    /// Whether normals come from vertices and maps; the others have one for each triangle.
+    /// Whether normals come from vertices; the others have one for each triangle.
     pub(in crate::render) fn is_bent(self) -> bool {
         !matches!(self, Self::Flat | Self::Phong)
+    }
+
+    /// Whether a map tilts these normals.
+    pub(in crate::render) fn has_normal_map(self) -> bool {
+        self.has_colors() || self == Self::ObjectNormals
     }
 
     /// The end of the name of its normal map.
@@ -147,7 +173,7 @@ pub fn dress(scene: &mut Scene, model: &str, lesson: Lesson, resolver: &dyn Reso
         if is_needed { finder.find(scene, &format!("{stem}{end}")) } else { None }
     };
     let diffuse = find("_diffuse.tga", lesson.has_colors() && !has_diffuse);
-    let normal = find(lesson.normal_map(), lesson.is_bent() && !has_normal);
+    let normal = find(lesson.normal_map(), lesson.has_normal_map() && !has_normal);
     let specular = find("_spec.tga", lesson.has_colors() && !has_specular);
     let emissive = find("_glow.tga", lesson == Lesson::Glow && !has_emissive);
     if scene.materials.is_empty() {

@@ -8,7 +8,15 @@
 //! ```
 //!
 //! in bytes as they are stored, without a transfer function, cut to 255 and rounded down. The lessons differ in the
-//! weights a, d, s, m ([`Weights`]) and in where n comes from. Dmitry Sokolov, "tinyrenderer" (2025),
+//! weights a, d, s, m ([`Weights`]) and in where n comes from; three have formulas of their own:
+//!
+//! ```text
+//! ssao   255 o                                        o: how open the pixel is
+//! toon   colour * (1, 0.66 or 0.33),                  as 0.15 + max(0, n . l) is above 0.66, above 0.33, or not
+//! depth  (z + 1) / 2 * 255                            z: as the program's depth buffer has it
+//! ```
+//!
+//! Dmitry Sokolov, "tinyrenderer" (2025),
 //! <https://github.com/ssloy/tinyrenderer>; Bui Tuong Phong, "Illumination for Computer Generated Pictures", 1975.
 
 use crate::render::course::tinyrenderer::Lesson;
@@ -21,7 +29,7 @@ use crate::render::shaders::obstacles::{Effects, Obstacles};
 use crate::render::shaders::point::SurfacePoint;
 use crate::render::shaders::vertex::{MeshView, Plain, PlainVarying};
 use crate::render::working_space::to_display;
-use trigon::lanes::{Lanes, Rgba, U32, Vec2, Vec3};
+use trigon::lanes::{F32, Lanes, Rgba, U32, Vec2, Vec3};
 use trigon::math::powi;
 use trigon::shade::{Fragment, Shader, SurfaceLanes, Vertex};
 
@@ -32,9 +40,13 @@ pub(in crate::render) struct Tinyrenderer<'a> {
     surface: &'a Surface<'a>,
     lesson: Lesson,
     weights: Weights,
-    /// Stored values, 0 to 1, where there is no diffuse map.
+    /// Stored values where there is no diffuse map.
     color: [f32; 3],
 }
+
+/// The colours of models in the toon lesson, by turns: the first is cut to 255 only after its step.
+const TOON_COLORS: [[f32; 3]; 2] =
+    [[147.0 * 4.0 / 255.0, 56.0 * 4.0 / 255.0, 22.0 * 4.0 / 255.0], [88.0 / 255.0, 98.0 / 255.0, 123.0 / 255.0]];
 
 /// The terms of the formula.
 struct Weights {
@@ -52,6 +64,8 @@ impl Weights {
             Lesson::TangentNormals => [0.4, 1.0, 0.0, 3.0],
             Lesson::Phong | Lesson::ObjectNormals => [0.3, 0.4, 0.9, 0.0],
             Lesson::Flat => [30.0 / 255.0, 1.0, 0.0, 0.0],
+            Lesson::Toon => [0.15, 1.0, 0.0, 0.0],
+            Lesson::Occlusion | Lesson::Depth => [1.0, 0.0, 0.0, 0.0],
         };
         Self { ambient, diffuse, specular, gloss }
     }
@@ -61,14 +75,19 @@ impl Weights {
 const LONGEST_IN_SHADOW: f32 = 80.0;
 
 impl<'a> Tinyrenderer<'a> {
+    /// `model` is the number of the model among those of the scene.
     pub(in crate::render) fn new(
         frame: &'a FrameUniforms,
         mesh: MeshView<'a>,
         surface: &'a Surface<'a>,
         lesson: Lesson,
+        model: usize,
     ) -> Self {
-        let has_color = lesson.has_colors() && surface.diffuse_map().is_none();
-        let color = if has_color { to_display(frame.color_space, surface.diffuse) } else { [1.0; 3] };
+        let color = match lesson {
+            Lesson::Toon => TOON_COLORS[model % TOON_COLORS.len()],
+            _ if lesson.has_colors() => to_display(frame.color_space, surface.diffuse),
+            _ => [1.0; 3],
+        };
         Self { frame, mesh, surface, lesson, weights: Weights::of(lesson), color }
     }
 
@@ -112,9 +131,21 @@ impl<'a> Tinyrenderer<'a> {
             // A shadow darkens both sides of a surface.
             shown = effects.pass(l, source, point, to_light, l.f32(1.0), shown);
         }
-        let mut bytes = (texel * 255.0) * light;
         l.note_topic("sum", None);
         l.note("of all terms", light);
+        match self.lesson {
+            Lesson::Toon => {
+                light = stepped(l, light);
+                l.note("its step", light);
+            }
+            Lesson::Depth => {
+                let depth = self.frame.depth_scale.at(l, point.position);
+                light = ((depth + 1.0) * 0.5).max(0.0);
+                l.note("depth z", depth);
+            }
+            _ => {}
+        }
+        let mut bytes = (texel * 255.0) * light;
         l.note("times the texel, in bytes", bytes);
         if self.lesson == Lesson::Glow {
             bytes += self.texel(l, Slot::Emissive, &point.footprint, [0.0; 3]) * 255.0;
@@ -131,8 +162,7 @@ impl<'a> Tinyrenderer<'a> {
     /// The unit normal in world space.
     #[inline(always)]
     fn normal<L: Lanes>(&self, l: L, point: &SurfacePoint<L>) -> Vec3<L> {
-        let face = point.dx.cross(point.dy);
-        let face = unit(face.dot(point.to_eye).lt(0.0).select(-face, face));
+        let face = unit(point.plane());
         if !self.lesson.is_bent() {
             return face;
         }
@@ -174,6 +204,13 @@ fn tangents<L: Lanes>(point: &SurfacePoint<L>) -> [Vec3<L>; 2] {
     let tangent = point.dx * uv_y.y - point.dy * uv_x.y;
     let bitangent = point.dy * uv_x.x - point.dx * uv_y.x;
     [unit(is_mirrored.select(-tangent, tangent)), unit(is_mirrored.select(-bitangent, bitangent))]
+}
+
+/// Three steps of light.
+#[inline(always)]
+fn stepped<L: Lanes>(l: L, light: F32<L>) -> F32<L> {
+    let lit = light.gt(0.33).select(l.f32(0.66), l.f32(0.33));
+    light.gt(0.66).select(l.f32(1.0), lit)
 }
 
 /// The unit vector to the light.
