@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::options::{
     ColorSpaceChoice, CullChoice, Given, InterpolationChoice, LevelFilterChoice, PatternChoice, PixelFilterChoice,
-    PlaceChoice, Preset, RateChoice, RenderOptions, ShadingOptions, WireframeChoice, WrapChoice,
+    PlaceChoice, RateChoice, RenderOptions, ShadingOptions, WireframeChoice, WrapChoice,
 };
 use crate::values::Real;
 use trigon::geometry::Cull;
