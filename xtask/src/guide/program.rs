@@ -15,7 +15,7 @@ impl Program {
     pub(super) fn build(root: &Path) -> Result<Self, String> {
         let output = Command::new(env!("CARGO"))
             .current_dir(root)
-            .args(["test", "--quiet", "--workspace", "--no-run", "--test", "cli"])
+            .args(["test", "--quiet", "--workspace", "--no-run"])
             .arg("--message-format=json-render-diagnostics")
             .stderr(Stdio::inherit())
             .output()

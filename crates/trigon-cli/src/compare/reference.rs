@@ -9,6 +9,7 @@
 use super::cell::{Drawer, Subject};
 use super::variant::Variant;
 use crate::failure::Failure;
+use crate::options::Preset;
 use crate::values::Positive;
 use std::ffi::OsString;
 use trigon::target::MAX_SIZE;
@@ -109,6 +110,8 @@ fn make(
     (large.options.render.picture.size.width, large.options.render.picture.size.height) = (2 * width, 2 * height);
     large.options.render.picture.enlargement = 2;
     large.given.size = true;
+    // The course has no such filter, and refuses it.
+    large.given.anisotropy &= large.options.render.preset.preset != Some(Preset::Cs184);
     let effects = &mut large.options.render.effects;
     if let Some(outline) = effects.outline() {
         effects.outline_width = Some(Positive(f64::from((2.0 * outline.width_px).min(Outline::MAX_WIDTH))));
