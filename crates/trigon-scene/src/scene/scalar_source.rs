@@ -13,6 +13,7 @@ pub(crate) enum ScalarSource {
     /// The weighted sum of the channels as stored (Rec. 709 weights).
     Luminance,
     /// Alpha if the picture has any, else luminance: what people mean by an opacity map.
+    #[cfg_attr(not(feature = "render"), expect(dead_code, reason = "a choice of those who upload textures"))]
     AlphaOrLuminance,
 }
 
