@@ -15,7 +15,8 @@ pub struct Limits {
     pub max_height: u32,
     /// Largest width times height.
     pub max_pixels: u64,
-    /// Largest size of the decoded picture in memory, in bytes (4 a pixel for 8-bit pictures, 8 for 16-bit, 16 for float).
+    /// Largest size of the decoded picture in memory, in bytes (4 a pixel for 8-bit pictures, 8 for 16-bit,
+    /// 16 for float; 8 for a progressive JPEG file in colour, which takes more to work with).
     ///
     /// A decoder may need as much again for its own working memory.
     pub max_bytes: u64,

@@ -149,9 +149,8 @@ trait Sample: Copy {
 impl Sample for u8 {
     const OPAQUE: Self = Self::MAX;
 
-    #[expect(clippy::cast_possible_truncation, reason = "a product of two numbers in 0..=255 over 255")]
     fn without_inks(ink: Self, black: Self) -> Self {
-        ((u32::from(!ink) * u32::from(!black) + 127) / 255) as Self
+        crate::color::without_inks(ink, black)
     }
 }
 

@@ -62,6 +62,36 @@ fn other_codings_and_missing_parts_are_named() {
     assert!(decoded(cut).unwrap_err().to_string().contains("end"));
 }
 
+/// The scans of a progressive file; the last of them is the last of its refinements.
+fn scans(file: &[u8]) -> Vec<std::ops::Range<usize>> {
+    let starts: Vec<usize> =
+        (0..file.len() - 1).filter(|&at| file[at..].starts_with(&[0xff, 0xda])).chain([file.len() - 2]).collect();
+    starts.windows(2).map(|pair| pair[0]..pair[1]).collect()
+}
+
+#[test]
+fn scans_that_bring_nothing_new_are_refused() {
+    let file = bytes("grey_progressive.jpg");
+    let scans = scans(&file);
+    let end = &[0xff, 0xd9][..];
+    let start = &file[..file.len() - 2];
+    // Those that refine, once more.
+    let last = &file[scans.last().unwrap().clone()];
+    let refined_again = [start, last, end].concat();
+    assert!(decoded(&refined_again).unwrap_err().to_string().contains("next bit that is missing"));
+    // The first, again and again.
+    let first = &file[scans[0].clone()];
+    assert!(decoded(&[start, first, end].concat()).is_ok());
+    let endless = [start, &first.repeat(100), end].concat();
+    assert!(decoded(&endless).unwrap_err().to_string().contains("100 scans"));
+}
+
+#[test]
+fn what_is_no_jpeg_file_is_told_so() {
+    let error = decoded(b"<html>\xff\xd9").unwrap_err().to_string();
+    assert!(error.contains("start-of-image"), "{error}");
+}
+
 #[test]
 fn a_restart_that_is_missing_is_an_error() {
     let mut file = bytes("420_restarts.jpg");

@@ -3,6 +3,8 @@
 //! YCbCr is that of JFIF (ITU-R BT.601, full range) in 16-bit fixed point with the roundings of `jdcolor.c`. Which of the
 //! colours a file has is said by its markers, or else guessed from the names of its components, as libjpeg does.
 
+use crate::color::without_inks;
+
 /// What the components of a pixel are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Color {
@@ -20,21 +22,19 @@ pub(super) enum Color {
 }
 
 impl Color {
-    /// From the components' names, whether there is a JFIF marker, and the transform in an Adobe marker.
-    ///
-    /// `None` for a number of components that no colour has.
-    pub(super) fn new(ids: &[u8], has_jfif: bool, adobe: Option<u8>) -> Option<Self> {
+    /// From the names of the components, of which there are one, three or four, whether there is a JFIF marker, and the
+    /// transform in an Adobe marker.
+    pub(super) fn new(ids: &[u8], has_jfif: bool, adobe: Option<u8>) -> Self {
         let is_inverted = adobe.is_some();
-        Some(match (ids, adobe) {
+        match (ids, adobe) {
             ([_], _) => Self::Grey,
             ([_, _, _], _) if has_jfif => Self::YCbCr,
             ([_, _, _], Some(0)) => Self::Rgb,
             ([b'R', b'G', b'B'], None) => Self::Rgb,
             ([_, _, _], _) => Self::YCbCr,
-            ([_, _, _, _], Some(2)) => Self::Ycck { is_inverted },
-            ([_, _, _, _], _) => Self::Cmyk { is_inverted },
-            _ => return None,
-        })
+            (_, None | Some(0)) => Self::Cmyk { is_inverted },
+            (_, Some(_)) => Self::Ycck { is_inverted },
+        }
     }
 
     /// Appends the pixels of one row to `pixels`; `rows` has a row of values for each component.
@@ -54,7 +54,8 @@ impl Color {
                 pixels.extend((0..width).map(|x| {
                     let color = [a[x], b[x], c[x]];
                     let inks = if is_ycck { rgb_of_ycbcr(color).map(|value| !value) } else { color };
-                    opaque(rgb_of_inks(inks, k[x], is_inverted))
+                    let amount = |value: u8| if is_inverted { !value } else { value };
+                    opaque(inks.map(|ink| without_inks(amount(ink), amount(k[x]))))
                 }));
             }
             _ => {}
@@ -78,15 +79,6 @@ fn rgb_of_ycbcr([y, cb, cr]: [u8; 3]) -> [u8; 3] {
     .map(|value| u8::try_from(value.clamp(0, 255)).unwrap_or(u8::MAX))
 }
 
-/// What light three inks and black leave of white.
-fn rgb_of_inks(inks: [u8; 3], black: u8, is_inverted: bool) -> [u8; 3] {
-    let light = |ink: u8| u16::from(if is_inverted { ink } else { !ink });
-    inks.map(|ink| {
-        let product = light(ink) * light(black);
-        u8::try_from((product + 127) / 255).unwrap_or(u8::MAX)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -94,14 +86,15 @@ mod tests {
     #[test]
     fn markers_come_before_names() {
         let color = |ids: &[u8], has_jfif, adobe| Color::new(ids, has_jfif, adobe);
-        assert_eq!(color(&[1, 2, 3], false, None), Some(Color::YCbCr));
-        assert_eq!(color(b"RGB", false, None), Some(Color::Rgb));
-        assert_eq!(color(b"RGB", true, None), Some(Color::YCbCr));
-        assert_eq!(color(&[1, 2, 3], false, Some(0)), Some(Color::Rgb));
-        assert_eq!(color(b"RGB", false, Some(1)), Some(Color::YCbCr));
-        assert_eq!(color(&[1, 2, 3, 4], true, Some(2)), Some(Color::Ycck { is_inverted: true }));
-        assert_eq!(color(&[1, 2, 3, 4], false, None), Some(Color::Cmyk { is_inverted: false }));
-        assert_eq!(color(&[1, 2], false, None), None);
+        assert_eq!(color(&[1, 2, 3], false, None), Color::YCbCr);
+        assert_eq!(color(b"RGB", false, None), Color::Rgb);
+        assert_eq!(color(b"RGB", true, None), Color::YCbCr);
+        assert_eq!(color(&[1, 2, 3], false, Some(0)), Color::Rgb);
+        assert_eq!(color(b"RGB", false, Some(1)), Color::YCbCr);
+        assert_eq!(color(&[1, 2, 3, 4], true, Some(2)), Color::Ycck { is_inverted: true });
+        assert_eq!(color(&[1, 2, 3, 4], true, Some(0)), Color::Cmyk { is_inverted: true });
+        assert_eq!(color(&[1, 2, 3, 4], true, Some(1)), Color::Ycck { is_inverted: true });
+        assert_eq!(color(&[1, 2, 3, 4], false, None), Color::Cmyk { is_inverted: false });
     }
 
     #[test]
@@ -120,7 +113,12 @@ mod tests {
 
     #[test]
     fn inks_take_light_away() {
-        assert_eq!(rgb_of_inks([0, 255, 0], 0, false), [255, 0, 255]);
-        assert_eq!(rgb_of_inks([255, 0, 255], 128, true), [128, 0, 128]);
+        let pixel = |is_inverted, values: [u8; 4]| {
+            let mut pixels = Vec::new();
+            Color::Cmyk { is_inverted }.append(&values.map(|value| vec![value]), 1, &mut pixels);
+            pixels[0]
+        };
+        assert_eq!(pixel(false, [0, 255, 0, 0]), [255, 0, 255, 255]);
+        assert_eq!(pixel(true, [255, 0, 255, 128]), [128, 0, 128, 255]);
     }
 }

@@ -1,7 +1,7 @@
 //! Marker segments: what they say of the picture, of the tables and of a scan.
 //!
 //! Tables are replaced as the file goes on, so each scan sees those before it. Which component a scan's data belong to,
-//! and with which tables, is looked up here once; afterwards reading bits needs no more checks of that kind.
+//! and with which tables, is looked up here once.
 
 use std::ops::RangeInclusive;
 
@@ -41,6 +41,8 @@ pub(super) struct Component {
     pub(super) blocks: (usize, usize),
     /// Blocks from one row to the next: those of whole units.
     pub(super) blocks_stored: usize,
+    /// For each coefficient, in the order of [`ZIGZAG`]: the bits that its scans so far have left to later ones.
+    bits_left: [Option<u8>; 64],
     /// The coefficients of a progressive picture, block by block; else empty.
     pub(super) coefficients: Vec<Block>,
     pub(super) plane: Plane,
@@ -86,11 +88,14 @@ impl Frame {
         if height == 0 {
             return Err(DecodeError::unsupported(Format::Jpeg, "a height that is said after the picture"));
         }
-        if width == 0 || !(1..=4).contains(&count) {
-            return Err(segment.malformed("the width is at least 1, and there are 1 to 4 components"));
+        if width == 0 {
+            return Err(segment.malformed("the width is at least 1"));
+        }
+        if !matches!(count, 1 | 3 | 4) {
+            return Err(DecodeError::unsupported(Format::Jpeg, format!("{count} components")));
         }
         let headers = (0..count).map(|_| segment.array::<3>("frame header")).collect::<Result<Vec<_>, _>>()?;
-        // The coefficients of a progressive picture are kept until its last scan: two bytes each.
+        // A progressive picture works with three bytes for each sample: with three components, more than as much again.
         limits.check(u32::from(width), u32::from(height), if is_progressive && count > 2 { 8 } else { 4 })?;
         let (width, height) = (usize::from(width), usize::from(height));
         let factors = |&[_, factors, _]: &[u8; 3]| (usize::from(factors >> 4), usize::from(factors & 15));
@@ -130,6 +135,7 @@ impl Component {
             quantizers: None,
             blocks: (width.div_ceil(8), height.div_ceil(8)),
             blocks_stored: columns,
+            bits_left: [None; 64],
             coefficients: vec![[0; 64]; if is_progressive { columns * rows } else { 0 }],
             plane: Plane { width, height, stride: columns * 8, samples: vec![0; columns * rows * 64] },
         }
@@ -178,9 +184,11 @@ impl Tables {
         let mut components = Vec::new();
         for _ in 0..count {
             let [id, tables] = segment.array("scan header")?;
-            let index = frame.components.iter().position(|component| component.id == id);
-            let Some(index) = index.filter(|&index| components.iter().all(|c: &ScanComponent<'_>| c.index != index))
-            else {
+            // Of components with the same name, the first that the scan does not have yet.
+            let is_free = |index: usize| components.iter().all(|part: &ScanComponent<'_>| part.index != index);
+            let mut named =
+                (0..).zip(&frame.components).filter(|(index, component)| component.id == id && is_free(*index));
+            let Some((index, _)) = named.next() else {
                 return Err(segment.malformed("a scan names components of the frame, each once"));
             };
             let component = &mut frame.components[index];
@@ -188,11 +196,10 @@ impl Tables {
             if component.quantizers.is_none() {
                 return Err(segment.malformed("a component has no quantization table"));
             }
-            let find = |tables: &'_ [Option<HuffmanTable>; 4], number: u8| usize::from(number).min(tables.len());
             components.push(ScanComponent {
                 index,
-                dc: self.dc.get(find(&self.dc, tables >> 4)).and_then(Option::as_ref),
-                ac: self.ac.get(find(&self.ac, tables & 15)).and_then(Option::as_ref),
+                dc: self.dc.get(usize::from(tables >> 4)).and_then(Option::as_ref),
+                ac: self.ac.get(usize::from(tables & 15)).and_then(Option::as_ref),
             });
         }
         let [first, last, bits] = segment.array("scan header")?;
@@ -202,11 +209,16 @@ impl Tables {
         if components.is_empty() || !is_sound || last > 63 || bits & 15 > 13 {
             return Err(segment.malformed("a scan has components, and brings means or a band of one of them"));
         }
-        Ok(Scan {
-            components,
-            band: usize::from(first)..=usize::from(last),
-            is_refinement: bits >> 4 != 0,
-            low_bits: u32::from(bits & 15),
-        })
+        let (band, high, low) = (usize::from(first)..=usize::from(last), bits >> 4, bits & 15);
+        for part in components.iter().filter(|_| frame.is_progressive) {
+            for left in &mut frame.components[part.index].bits_left[band.clone()] {
+                // One bit at a time, of those that are missing (T.81, G.1.1.1.2): so a file cannot refine without end.
+                if high != 0 && (*left != Some(high) || high != low + 1) {
+                    return Err(segment.malformed("a scan refines coefficients by the next bit that is missing"));
+                }
+                *left = Some(low);
+            }
+        }
+        Ok(Scan { components, band, is_refinement: high != 0, low_bits: u32::from(low) })
     }
 }

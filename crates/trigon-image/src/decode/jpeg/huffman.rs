@@ -64,7 +64,7 @@ pub(super) struct BitReader<'a> {
     file: &'a [u8],
     /// Of the next byte that is not in `bits`.
     offset: usize,
-    /// What comes next, from the highest bit; zeros behind.
+    /// What comes next, from the highest bit; behind `count` bits zeros, or the ones after.
     bits: u64,
     count: u32,
 }

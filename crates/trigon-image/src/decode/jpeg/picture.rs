@@ -3,7 +3,7 @@
 //! A file that breaks off is an error: nothing is made up for what it lacks.
 
 use super::color::Color;
-use super::header::{Frame, Tables};
+use super::header::{Component, Frame, Tables};
 use super::huffman::{BitReader, find_marker};
 use super::scan::{draw_coefficients, read_scan};
 use super::upsample::Upsampling;
@@ -11,10 +11,13 @@ use crate::decode::DecodedImage;
 use crate::decode::reader::Reader;
 use crate::{DecodeError, Format, Limits, Rgba8Image};
 
-/// More scans than any program writes. Each costs time for every block, however short it is.
-const MOST_SCANS: usize = 500;
+/// More scans than programs write, which is about ten. Each costs time for every block, however short it is.
+const MOST_SCANS: usize = 100;
 
 pub(in crate::decode) fn decode(bytes: &[u8], limits: &Limits) -> Result<DecodedImage, DecodeError> {
+    if !bytes.starts_with(&[0xff, 0xd8]) {
+        return Err(DecodeError::malformed(Format::Jpeg, 0, "the file begins with a start-of-image marker"));
+    }
     let mut file = File { bytes, offset: 2, ..File::default() };
     loop {
         let (offset, marker) = find_marker(bytes, file.offset).ok_or_else(|| cut_off(bytes))?;
@@ -109,9 +112,7 @@ impl File<'_> {
         }
         frame.components.iter_mut().for_each(draw_coefficients);
         let ids: Vec<u8> = frame.components.iter().map(|component| component.id).collect();
-        let color = Color::new(&ids, self.has_jfif, self.adobe)
-            .ok_or_else(|| DecodeError::unsupported(Format::Jpeg, format!("{} components", ids.len())))?;
-        let pixels = pixels(frame, color);
+        let pixels = pixels(frame, Color::new(&ids, self.has_jfif, self.adobe));
         let (width, height) = (u32::try_from(frame.width), u32::try_from(frame.height));
         Rgba8Image::from_pixels(width.unwrap_or(0), height.unwrap_or(0), pixels)
             .map(DecodedImage::Rgba8)
@@ -121,9 +122,8 @@ impl File<'_> {
 
 fn pixels(frame: &Frame, color: Color) -> Vec<[u8; 4]> {
     let mut pixels = Vec::with_capacity(frame.width * frame.height);
-    let upsampling = |component: &super::header::Component| {
-        Upsampling::new(component.plane.width, component.expansion.0, component.expansion.1)
-    };
+    let upsampling =
+        |component: &Component| Upsampling::new(component.plane.width, component.expansion.0, component.expansion.1);
     let upsamplings: Vec<Upsampling> = frame.components.iter().map(upsampling).collect();
     let mut rows = vec![Vec::new(); frame.components.len()];
     for y in 0..frame.height {

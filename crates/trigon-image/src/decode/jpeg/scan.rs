@@ -29,12 +29,11 @@ pub(super) fn read_scan(
             state = State::default();
         }
         let (x, y) = (unit % columns, unit / columns);
-        for (place, part) in scan.components.iter().enumerate() {
+        for part in &scan.components {
             let component = &mut frame.components[part.index];
             let (across, down) = if scan.components.len() == 1 { (1, 1) } else { component.sampling };
             for block in 0..across * down {
                 let at = (x * across + block % across, y * down + block / across);
-                state.place = place;
                 if frame.is_progressive {
                     let index = at.1 * component.blocks_stored + at.0;
                     state.read_part(bits, scan, part, &mut component.coefficients[index])?;
@@ -65,11 +64,9 @@ fn draw_block(component: &mut Component, (column, row): (usize, usize), block: &
 /// What one block leaves to the next.
 #[derive(Default)]
 struct State {
-    /// Mean of the block before, for each component of the scan.
+    /// Mean of the block before (the DC prediction), for each component of the frame.
     means: [i16; 4],
-    /// The component at hand, as an index into `means`.
-    place: usize,
-    /// Blocks to come that have nothing more in this band.
+    /// Blocks to come that have nothing more in this band (EOBRUN).
     empty_blocks: u32,
 }
 
@@ -119,7 +116,7 @@ impl State {
         if size > 15 {
             return Err(bits.malformed("the difference of two means has more than 15 bits"));
         }
-        let mean = &mut self.means[self.place];
+        let mean = &mut self.means[part.index];
         *mean = mean.wrapping_add(bits.difference(u32::from(size))?);
         Ok(*mean)
     }
@@ -183,7 +180,10 @@ impl State {
             index += 1;
         }
         if self.empty_blocks > 0 {
-            refine(bits, block, index..last + 1, usize::MAX, bit)?;
+            // Most blocks of a run hold nothing to refine: that is seen faster than walked.
+            if block[1..].iter().any(|value| *value != 0) {
+                refine(bits, block, index..last + 1, usize::MAX, bit)?;
+            }
             self.empty_blocks -= 1;
         }
         Ok(())
