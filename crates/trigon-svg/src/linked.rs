@@ -1,10 +1,12 @@
-//! Files that an SVG file links to: a path in, bytes out; only ordinary files, and only up to a size.
+//! Files that an SVG file links to: a path in, bytes or a picture out; only ordinary files, and only up to a size.
 //!
 //! The path comes from the file, which may mean harm: `/dev/zero` has no end, and a pipe never answers.
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+
+use trigon_image::{Format, Limits, Rgba8Image, decode};
 
 /// The bytes of a file of at most `max_bytes`; else the reason in words.
 pub(crate) fn read(path: &Path, max_bytes: usize) -> Result<Vec<u8>, String> {
@@ -20,6 +22,19 @@ pub(crate) fn read(path: &Path, max_bytes: usize) -> Result<Vec<u8>, String> {
     if bytes.len() > max_bytes { Err(format!("it has over {max_bytes} bytes")) } else { Ok(bytes) }
 }
 
+/// The picture in a file beside the one that names it; else the reason in words. Without a folder nothing is read.
+pub(crate) fn picture(
+    folder: Option<&Path>,
+    file: &str,
+    max_bytes: usize,
+    max_pixels: u64,
+) -> Result<Rgba8Image, String> {
+    let path = folder.ok_or("linked files are not read")?.join(file);
+    let limits = Limits::default().with_max_pixels(max_pixels);
+    let decoded = decode(&read(&path, max_bytes)?, Format::from_path(&path), &limits);
+    Ok(decoded.map_err(|error| error.to_string())?.into_rgba8())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -31,6 +46,7 @@ mod tests {
         assert_eq!(read(&this, size).unwrap().len(), size);
         assert!(read(&this, size - 1).unwrap_err().contains("over"));
         assert!(read(this.parent().unwrap(), size).unwrap_err().contains("ordinary"));
-        assert!(read(Path::new("/dev/zero"), 1 << 40).is_err());
+        // It would be as large as the limit allows if it were read.
+        assert!(read(Path::new("/dev/zero"), 1 << 20).is_err_and(|error| !error.contains("over")));
     }
 }

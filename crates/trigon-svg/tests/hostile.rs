@@ -254,4 +254,14 @@ fn style_sheets_that_would_hardly_end_are_an_error() {
     let file = |count: usize| page(&format!("<style>{}</style>{}", rules(count), "<rect class='c'/>".repeat(4000)));
     assert!(matches!(draw(&file(20_000)), Err(SvgError::LimitExceeded(_))));
     assert!(draw(&file(20)).is_ok());
+    // Inside of a file it has the same limits.
+    let escaped = file(20_000).replace('%', "%25").replace('#', "%23").replace('"', "%22").replace('<', "%3C");
+    let embedded = format!("<image width='9' height='9' href=\"data:image/svg+xml,{escaped}\"/>");
+    let started = std::time::Instant::now();
+    assert!(draw(&page(&embedded)).is_ok());
+    assert!(started.elapsed() < std::time::Duration::from_secs(10), "{:?}", started.elapsed());
+    // What is in declarations is no selector.
+    let colors = "rect { fill: rgb(1,2,3); stroke: rgba(1,2,3,0.5) }".repeat(400);
+    let page = page(&format!("<style>{colors}</style>{}", "<rect/>".repeat(100_000)));
+    assert!(draw(&page).is_ok());
 }

@@ -116,7 +116,7 @@ fn pictures_over_the_limits_are_refused_and_filters_cut() {
     let mut drawing = Drawing::new();
     let region = PixelRect { x: i32::MIN, y: i32::MAX, width: u32::MAX, height: u32::MAX };
     let wrong_size =
-        Filter { region, apply: Arc::new(|layer: LayerImage| LayerImage { pixels: vec![[9; 4]], ..layer }) };
+        Filter { region, apply: Arc::new(|layer: LayerImage, _| LayerImage { pixels: vec![[9; 4]], ..layer }) };
     drawing.push_layer(Layer { filter: Some(wrong_size), ..Layer::default() });
     fill(&mut drawing, Path::rect(0.0, 0.0, 70.0, 50.0), STILL);
     assert!(renderer.draw(&drawing, 70, 50, Color::WHITE).unwrap().pixels().iter().all(|pixel| *pixel == [255; 4]));

@@ -91,7 +91,7 @@ fn everything() -> Drawing {
     drawing.pop_layer();
     let invert = Filter {
         region: PixelRect { x: 100, y: 90, width: 50, height: 40 },
-        apply: Arc::new(|mut layer| {
+        apply: Arc::new(|mut layer, _| {
             for pixel in &mut layer.pixels {
                 pixel.swap(0, 2);
             }

@@ -249,6 +249,27 @@ fn textures_of_triangles_are_read_as_asked() {
 }
 
 #[test]
+fn pictures_that_are_not_there_are_named() {
+    let page = |link: &str| {
+        format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><image href='{link}' width='9' height='9'/></svg>"
+        )
+    };
+    for (link, folder, why) in [
+        ("gone.png", Some(env!("CARGO_TARGET_TMPDIR").into()), "gone.png"),
+        ("gone.png", None, "not read"),
+        ("/dev/zero", Some(env!("CARGO_TARGET_TMPDIR").into()), "/dev/zero"),
+        (".", Some(env!("CARGO_TARGET_TMPDIR").into()), "ordinary"),
+        ("data:image/tiff;base64,AAAA", None, "embedded"),
+        ("data:image/svg+xml,%3Csvg", None, "embedded"),
+    ] {
+        let document = Document::parse(page(link).as_bytes(), &Options { folder, ..Options::default() }).unwrap();
+        let (_, warnings) = document.draw(&View::default(), &Renderer::new(), Color::TRANSPARENT).unwrap();
+        assert!(warnings.iter().any(|warning| warning.message.contains(why)), "{link}: {warnings:?}");
+    }
+}
+
+#[test]
 fn fonts_that_are_not_there_are_named() {
     let document = parse("<text y='20' font-family='Nowhere'>a</text><text y='30' font-family='Nowhere'>b</text>");
     let (_, warnings) = document.draw(&View::default(), &Renderer::new(), Color::TRANSPARENT).unwrap();

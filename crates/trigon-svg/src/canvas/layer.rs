@@ -3,6 +3,7 @@
 use super::{BlendMode, ClipPath, Drawing};
 use core::fmt;
 use std::sync::Arc;
+use trigon::schedule::Deadline;
 
 /// How a group is treated. In SVG's order: the filter first, then clip, mask and opacity, then it is blended.
 #[derive(Clone, Debug)]
@@ -57,8 +58,9 @@ pub struct Filter {
     /// The pixels that the layer is drawn for; may lie outside of the picture. Limited by
     /// [`Renderer::max_pixels`](super::Renderer::max_pixels).
     pub region: PixelRect,
-    /// The function. It gets the layer, resolved to one colour per pixel; what it returns may be of another region.
-    pub apply: Arc<dyn Fn(LayerImage) -> LayerImage + Send + Sync>,
+    /// The function. It gets the layer, resolved to one colour per pixel, and the deadline of the renderer, after which
+    /// nobody sees what it returns. That may be of another region.
+    pub apply: Arc<dyn Fn(LayerImage, Deadline) -> LayerImage + Send + Sync>,
 }
 
 impl fmt::Debug for Filter {

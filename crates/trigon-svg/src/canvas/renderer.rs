@@ -22,7 +22,8 @@ pub struct Renderer {
     pub max_pixels: u64,
     /// Most layers, masks, patterns and filters inside each other; deeper ones are not drawn.
     pub max_depth: u32,
-    /// When to give up. Work stops within the time that a shape takes in sixteen rows of pixels, or one step of a filter.
+    /// When to give up. Work stops within the time that it takes to flatten or stroke one shape, to draw one in sixteen
+    /// rows of pixels, or to do one step of a filter.
     pub deadline: Deadline,
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use trigon_image::decode;
+use trigon_image::{Rgba8Image, decode};
 use usvg::roxmltree::{Document, Node, ParsingOptions};
 
 use super::element;
@@ -90,11 +90,8 @@ impl Reader {
             self.warnings.push("a texture without 'texid' or 'filename' is left out".to_owned());
             return;
         };
-        let texture = match &self.folder {
-            Some(folder) => linked::read(&folder.join(file), MAX_TEXTURE_BYTES),
-            None => Err("files are not read".to_owned()),
-        };
-        let texture = texture.and_then(|bytes| decoded(&bytes));
+        let picture = linked::picture(self.folder.as_deref(), file, MAX_TEXTURE_BYTES, MAX_TEXTURE_PIXELS);
+        let texture = picture.and_then(|picture| to_texture(&picture));
         if let Err(error) = &texture {
             self.warnings.push(format!("the texture '{file}' is not drawn: {error}"));
         }
@@ -104,15 +101,16 @@ impl Reader {
     /// A picture embedded as `data:..,BASE64`.
     pub(super) fn embedded(&mut self, link: &str) -> Option<Arc<Texture>> {
         let (_, data) = link.split_once(',')?;
-        let decoded = from_base64(data).ok_or_else(|| "it is not base64".to_owned()).and_then(|bytes| decoded(&bytes));
-        decoded.map_err(|error| self.warnings.push(format!("an image is not drawn: {error}"))).ok()
+        let limits = trigon_image::Limits::default().with_max_pixels(MAX_TEXTURE_PIXELS);
+        let bytes = from_base64(data).ok_or_else(|| "it is not base64".to_owned());
+        let picture = bytes.and_then(|bytes| decode(&bytes, None, &limits).map_err(|error| error.to_string()));
+        let texture = picture.and_then(|picture| to_texture(&picture.into_rgba8()));
+        texture.map_err(|error| self.warnings.push(format!("an image is not drawn: {error}"))).ok()
     }
 }
 
-fn decoded(bytes: &[u8]) -> Result<Arc<Texture>, String> {
-    let limits = trigon_image::Limits::default().with_max_pixels(MAX_TEXTURE_PIXELS);
-    let image = decode(bytes, None, &limits).map_err(|error| error.to_string())?.into_rgba8();
-    Texture::new(&image).map(Arc::new).ok_or_else(|| "it has no pixels".to_owned())
+fn to_texture(picture: &Rgba8Image) -> Result<Arc<Texture>, String> {
+    Texture::new(picture).map(Arc::new).ok_or_else(|| "it has no pixels".to_owned())
 }
 
 /// RFC 4648, blanks left out.

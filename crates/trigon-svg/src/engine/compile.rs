@@ -228,10 +228,11 @@ impl<'a> Compiler<'a> {
         rect.height = rect.height.min(trigon::target::MAX_SIZE).min((limit / u64::from(rect.width.max(1))) as u32);
         let base = Transform::translate(-f64::from(rect.x), -f64::from(rect.y));
         let pixels = picture_of(self.renderer, inside, base, [rect.width, rect.height], self.depth + 1);
-        if self.renderer.deadline.is_over() {
+        let deadline = self.renderer.deadline;
+        if deadline.is_over() {
             return LayerImage::default();
         }
-        (filter.apply)(LayerImage { rect, pixels })
+        (filter.apply)(LayerImage { rect, pixels }, deadline)
     }
 
     /// `None` if nothing is drawn.

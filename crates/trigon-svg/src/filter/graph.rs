@@ -51,8 +51,8 @@ pub enum Input {
     Step(usize),
 }
 
-/// Draws a picture of `width * height` pixels, in sRGB.
-pub type DrawPicture = Arc<dyn Fn(usize, usize) -> Raster + Send + Sync>;
+/// Draws a picture of `width * height` pixels, in sRGB; after the deadline nobody sees it.
+pub type DrawPicture = Arc<dyn Fn(usize, usize, Deadline) -> Raster + Send + Sync>;
 
 /// A filter primitive with its inputs; lengths in pixels, colors sRGB with straight alpha.
 #[derive(Clone)]
@@ -180,7 +180,9 @@ impl Run {
     fn result(&self, primitive: &Primitive, space: ColorSpace) -> (Rc<Raster>, ColorSpace) {
         let raster = match primitive {
             Primitive::Flood { color } => return self.plain(*color),
-            Primitive::Picture { draw } => return (Rc::new(draw(self.width, self.height)), ColorSpace::Srgb),
+            Primitive::Picture { draw } => {
+                return (Rc::new(draw(self.width, self.height, self.deadline)), ColorSpace::Srgb);
+            }
             Primitive::Offset { input, offset: (dx, dy) } => {
                 let input = self.input(*input);
                 return (Rc::new(offset(&input.raster, *dx, *dy)), input.space);

@@ -109,7 +109,8 @@ impl<'a> Converter<'a> {
             converter.group(&mut drawing, group, pixels_from_parent * transform(group.transform()));
         });
         let renderer = self.renderer.clone();
-        Arc::new(move |width, height| {
+        Arc::new(move |width, height, deadline| {
+            let renderer = Renderer { deadline, ..renderer.clone() };
             let sides = (u32::try_from(width), u32::try_from(height));
             let drawn = match sides {
                 (Ok(w), Ok(h)) => renderer.draw(&drawing, w, h, Color::TRANSPARENT).ok(),

@@ -1,16 +1,18 @@
 //! An SVG file that was read, and what can be asked of it: its size, a drawing, a picture.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use trigon_image::Color;
 use usvg::roxmltree;
 
 use super::convert::Converter;
-use super::fonts::MissingFonts;
+use super::fonts::watched_fonts;
 use super::path::transform;
+use super::pictures::watched_pictures;
 use super::triangles::{Triangles, rewrite};
 use super::view::Fitted;
-use super::warnings::Warnings;
+use super::warnings::{SharedWarnings, Warnings};
 use super::{Area, Limits, Options, SvgError, View, Warning};
 use crate::canvas::{Drawing, Picture, PixelRect, Renderer};
 
@@ -41,19 +43,9 @@ impl Document {
     /// # Errors
     /// If it is not SVG, over a limit, or the deadline comes before the end.
     pub fn parse(bytes: &[u8], options: &Options) -> Result<Self, SvgError> {
-        let unpacked;
-        let bytes = if bytes.starts_with(&[0x1f, 0x8b]) {
-            unpacked = unpack(bytes, options.limits.max_bytes)?;
-            &unpacked
-        } else {
-            bytes
-        };
-        if bytes.len() > options.limits.max_bytes {
-            return Err(SvgError::LimitExceeded(format!("the file has over {} bytes", options.limits.max_bytes)));
-        }
-        let text = std::str::from_utf8(bytes).map_err(|_| SvgError::Malformed("it is not UTF-8 text".to_owned()))?;
+        let text = text_of(bytes, &options.limits)?;
         // The tree's reader panics on numbers whose sums leave the range of f32.
-        on_a_large_stack(READER_THREAD, || parse_text(text, options))
+        on_a_large_stack(READER_THREAD, || parse_text(&text, options))
             .unwrap_or_else(|_| Err(SvgError::Malformed("its numbers are too large or too small".to_owned())))
     }
 
@@ -137,6 +129,30 @@ impl std::fmt::Debug for Document {
     }
 }
 
+/// The text of a file, plain or compressed with gzip.
+fn text_of<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, str>, SvgError> {
+    let bytes = match bytes {
+        [0x1f, 0x8b, ..] => Cow::Owned(unpack(bytes, limits.max_bytes)?),
+        _ => Cow::Borrowed(bytes),
+    };
+    if bytes.len() > limits.max_bytes {
+        return Err(SvgError::LimitExceeded(format!("the file has over {} bytes", limits.max_bytes)));
+    }
+    let text = match bytes {
+        Cow::Borrowed(bytes) => std::str::from_utf8(bytes).map(Cow::Borrowed).ok(),
+        Cow::Owned(bytes) => String::from_utf8(bytes).map(Cow::Owned).ok(),
+    };
+    text.ok_or_else(|| SvgError::Malformed("it is not UTF-8 text".to_owned()))
+}
+
+/// An error for a file that is over the limits, as far as can be told before it is read.
+pub(super) fn check_size(bytes: &[u8], limits: &Limits) -> Result<(), SvgError> {
+    let text = text_of(bytes, limits)?;
+    let xml = parse_xml(&text, limits)?;
+    check_depth(&xml, limits)?;
+    check_style(&xml, limits)
+}
+
 fn unpack(bytes: &[u8], max_bytes: usize) -> Result<Vec<u8>, SvgError> {
     use std::io::Read;
     let mut unpacked = Vec::new();
@@ -169,18 +185,16 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
     warn_of_elements(xml, &mut warnings);
     in_time()?;
 
-    let missing = MissingFonts::default();
+    let missing = SharedWarnings::default();
     let mut usvg_options = usvg::Options {
         resources_dir: options.folder.clone(),
         dpi: options.dpi.clamp(10.0, 4000.0),
         languages: options.languages.clone(),
         font_family: options.fonts.default_family.clone().unwrap_or_else(|| "Times New Roman".to_owned()),
+        font_resolver: watched_fonts(&missing),
+        image_href_resolver: watched_pictures(options, &missing),
         ..usvg::Options::default()
     };
-    if options.folder.is_none() {
-        usvg_options.image_href_resolver.resolve_string = Box::new(|_, _| None);
-    }
-    usvg_options.font_resolver = missing.watched();
     if may_hold_text(xml) {
         let (fonts, unreadable) = options.fonts.load();
         usvg_options.fontdb = Arc::new(fonts);
@@ -194,7 +208,7 @@ fn parse_text(text: &str, options: &Options) -> Result<Document, SvgError> {
         error => SvgError::Malformed(error.to_string()),
     })?;
     drop(usvg_options);
-    warnings.extend(&missing.into_warnings());
+    warnings.extend(&missing.into_inner());
     in_time()?;
     Ok(Document { tree, limits: limits.clone(), warnings, triangles })
 }
@@ -238,8 +252,7 @@ fn check_style(xml: &roxmltree::Document<'_>, limits: &Limits) -> Result<(), Svg
         elements += 1;
         if node.tag_name().name() == "style" {
             let text = node.descendants().filter_map(|node| node.text().filter(|_| node.is_text()));
-            let ends = text.flat_map(str::bytes).filter(|byte| matches!(byte, b'{' | b',')).count();
-            selectors = selectors.saturating_add(u64::try_from(ends).unwrap_or(u64::MAX));
+            selectors = selectors.saturating_add(text.map(count_selectors).sum());
         }
     }
     if elements.saturating_mul(selectors) > limits.max_style_steps {
@@ -249,6 +262,20 @@ fn check_style(xml: &roxmltree::Document<'_>, limits: &Limits) -> Result<(), Svg
         )));
     }
     Ok(())
+}
+
+/// Each rule has one selector, and one more for each comma before its declarations.
+fn count_selectors(style: &str) -> u64 {
+    let (mut count, mut is_inside) = (0, false);
+    for byte in style.bytes() {
+        match byte {
+            b'{' => (count, is_inside) = (count + 1, true),
+            b'}' => is_inside = false,
+            b',' if !is_inside => count += 1,
+            _ => {}
+        }
+    }
+    count
 }
 
 /// Fonts are loaded only for files that can hold text, themselves or in an embedded file.

@@ -21,7 +21,6 @@ struct Chain {
     /// The layer's pixels.
     layer: PixelRect,
     filters: Vec<(PixelRect, Graph)>,
-    deadline: Deadline,
 }
 
 impl Converter<'_> {
@@ -32,7 +31,7 @@ impl Converter<'_> {
         let chain = self.chain(group, region, upright_from_group);
         let layer = self.layer(group, pixels_from_group);
         if pixels_from_upright == Transform::IDENTITY {
-            let filter = Filter { region, apply: Arc::new(move |image| chain.apply(&image)) };
+            let filter = Filter { region, apply: Arc::new(move |image, deadline| chain.apply(&image, deadline)) };
             out.push_layer(Layer { filter: Some(filter), ..layer });
             self.nodes(out, group, pixels_from_group);
             out.pop_layer();
@@ -80,7 +79,7 @@ impl Converter<'_> {
             let space = Space { region, pixels_from_user: upright_from_group };
             filters.push((region, graph(self, filter, space)));
         }
-        Chain { layer, filters, deadline: self.renderer.deadline }
+        Chain { layer, filters }
     }
 
     /// The group drawn upright and filtered; `None` where it cannot be drawn.
@@ -91,7 +90,8 @@ impl Converter<'_> {
         let canvas = PixelRect { x: 0, y: 0, ..layer };
         self.inside(canvas, |converter| converter.nodes(&mut content, group, to_origin * upright_from_group));
         let picture = self.renderer.draw(&content, layer.width, layer.height, Color::TRANSPARENT).ok()?;
-        let filtered = chain.apply(&LayerImage { rect: layer, pixels: picture.into_pixels() });
+        let image = LayerImage { rect: layer, pixels: picture.into_pixels() };
+        let filtered = chain.apply(&image, self.renderer.deadline);
         let pixels = filtered.pixels.into_iter().map(divide).collect();
         let straight = Rgba8Image::from_pixels(filtered.rect.width, filtered.rect.height, pixels).ok()?;
         Image::new(&straight).ok()
@@ -100,7 +100,7 @@ impl Converter<'_> {
 
 impl Chain {
     /// No pixels if the deadline came first.
-    fn apply(&self, image: &LayerImage) -> LayerImage {
+    fn apply(&self, image: &LayerImage, deadline: Deadline) -> LayerImage {
         let side = |length: u32| length as usize;
         let (width, height) = (side(self.layer.width), side(self.layer.height));
         let given = Raster::from_pixels(side(image.rect.width), side(image.rect.height), image.pixels.clone());
@@ -115,7 +115,7 @@ impl Chain {
                 right: left.saturating_add_unsigned(rect.width),
                 bottom: top.saturating_add_unsigned(rect.height),
             };
-            let Some(filtered) = graph.run(layer.cropped(region), self.deadline) else { return LayerImage::default() };
+            let Some(filtered) = graph.run(layer.cropped(region), deadline) else { return LayerImage::default() };
             layer = Raster::placed(&filtered, left, top, width, height);
         }
         LayerImage { rect: self.layer, pixels: layer.into_pixels() }

@@ -1,12 +1,11 @@
 //! Which fonts text is set in.
 
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use usvg::FontResolver;
 use usvg::fontdb::Database;
 
-use super::warnings::Warnings;
+use super::warnings::SharedWarnings;
 
 /// Where fonts come from, and which family stands for which generic one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -91,43 +90,25 @@ impl FontOptions {
     }
 }
 
-/// Collects what text asks for and no font has.
-#[derive(Default)]
-pub(super) struct MissingFonts {
-    warnings: Mutex<Warnings>,
-}
-
-impl MissingFonts {
-    /// The usual choice of fonts, watched.
-    pub(super) fn watched(&self) -> FontResolver<'_> {
-        let FontResolver { select_font, select_fallback } = FontResolver::default();
-        FontResolver {
-            select_font: Box::new(move |font, database| {
-                let found = select_font(font, database);
-                if found.is_none() {
-                    let families: Vec<String> = font.families().iter().map(ToString::to_string).collect();
-                    let families = families.join(", ");
-                    self.lock()
-                        .add(format!("text in {families} is not drawn: no such font, nor one for serif, was found"));
-                }
-                found
-            }),
-            select_fallback: Box::new(move |character, used, database| {
-                let found = select_fallback(character, used, database);
-                if found.is_none() && !character.is_control() && !character.is_whitespace() {
-                    self.lock().add(format!("no font has the character U+{:04X} {character}", u32::from(character)));
-                }
-                found
-            }),
-        }
-    }
-
-    /// What was missing.
-    pub(super) fn into_warnings(self) -> Warnings {
-        self.warnings.into_inner().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn lock(&self) -> MutexGuard<'_, Warnings> {
-        self.warnings.lock().unwrap_or_else(PoisonError::into_inner)
+/// The usual choice of fonts; what text asks for and no font has is added to `missing`.
+pub(super) fn watched_fonts(missing: &SharedWarnings) -> FontResolver<'_> {
+    let FontResolver { select_font, select_fallback } = FontResolver::default();
+    FontResolver {
+        select_font: Box::new(move |font, database| {
+            let found = select_font(font, database);
+            if found.is_none() {
+                let families: Vec<String> = font.families().iter().map(ToString::to_string).collect();
+                let families = families.join(", ");
+                missing.add(format!("text in {families} is not drawn: no such font, nor one for serif, was found"));
+            }
+            found
+        }),
+        select_fallback: Box::new(move |character, used, database| {
+            let found = select_fallback(character, used, database);
+            if found.is_none() && !character.is_control() && !character.is_whitespace() {
+                missing.add(format!("no font has the character U+{:04X} {character}", u32::from(character)));
+            }
+            found
+        }),
     }
 }

@@ -29,6 +29,7 @@ mod limits;
 mod options;
 mod paint;
 mod path;
+mod pictures;
 mod primitives;
 mod recognize;
 mod triangles;

@@ -22,8 +22,8 @@ pub struct Options {
     pub triangle_filter: ImageFilter,
     /// What a file may cost.
     pub limits: Limits,
-    /// When to give up reading: looked at between its steps, so that a step is finished first. How long one takes is
-    /// bounded by the limits. [`Renderer::deadline`](crate::canvas::Renderer::deadline) is for drawing.
+    /// When to give up reading: looked at between its steps, so that a step is finished first. The limits
+    /// bound most steps; a file made to harm can still make one long. [`Renderer::deadline`](crate::canvas::Renderer::deadline) is for drawing.
     pub deadline: Deadline,
 }
 

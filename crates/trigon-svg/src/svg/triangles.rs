@@ -9,7 +9,6 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use trigon::shade::texture::{Alpha, LevelFilter, PixelFilter, TexelFormat, Texture, TextureDesc};
-use trigon_image::Format;
 use usvg::roxmltree::{Document, Node};
 
 use super::Options;
@@ -112,13 +111,9 @@ impl Textures<'_> {
     }
 
     fn image(&mut self, file: &str) -> Result<Image, String> {
-        let folder = self.options.folder.as_ref().ok_or("linked files are not read")?;
-        let path = folder.join(file);
-        let bytes = linked::read(&path, self.options.limits.max_bytes)?;
-        let left = self.options.limits.max_image_pixels.saturating_sub(self.pixels);
-        let limits = trigon_image::Limits::default().with_max_pixels(left);
-        let decoded = trigon_image::decode(&bytes, Format::from_path(&path), &limits);
-        let pixels = decoded.map_err(|error| error.to_string())?.into_rgba8();
+        let limits = &self.options.limits;
+        let left = limits.max_image_pixels.saturating_sub(self.pixels);
+        let pixels = linked::picture(self.options.folder.as_deref(), file, limits.max_bytes, left)?;
         self.pixels += u64::from(pixels.width()) * u64::from(pixels.height());
         Image::new(&pixels).map_err(|error| error.to_string())
     }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::{Mutex, PoisonError};
 
 /// Something in a file that is not drawn, or not as it says. Never fatal: the rest of the picture is right.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,5 +41,19 @@ impl Warnings {
 
     pub(super) fn into_list(self) -> Vec<Warning> {
         self.counts.into_iter().map(|(message, count)| Warning { message, count }).collect()
+    }
+}
+
+/// Warnings that functions add to which the reader of files calls.
+#[derive(Default)]
+pub(super) struct SharedWarnings(Mutex<Warnings>);
+
+impl SharedWarnings {
+    pub(super) fn add(&self, message: impl Into<String>) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).add(message);
+    }
+
+    pub(super) fn into_inner(self) -> Warnings {
+        self.0.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 }
