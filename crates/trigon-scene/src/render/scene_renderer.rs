@@ -109,7 +109,7 @@ impl SceneRenderer {
         let drawn = self.with_draws(renderer, scene, camera, settings, |renderer, made| {
             let mut statistics = renderer.render(&frame(settings), made.draws, picture)?;
             finish(picture, settings, made.items);
-            if settings.shows_light() && settings.shader == ShaderKind::Tinyrenderer(Lesson::Toon) {
+            if settings.has_course_lines() {
                 let (shapes, times) = made.shapes(renderer, camera, settings, 1)?;
                 let lines = made.uniforms.depth_scale.lines(&shapes, renderer.options());
                 outline::lay(picture, &lines, [0.0, 0.0, 0.0, 1.0]);
@@ -149,10 +149,10 @@ impl SceneRenderer {
             Ok(SceneStory::new(story, scene, made.pieces, made.items))
         })?;
         // Last steps that look at the whole picture.
-        let has_lines = settings.outline.is_some() || settings.shader == ShaderKind::Tinyrenderer(Lesson::Toon);
+        let settings = RenderSettings { outputs: Outputs::COLOR, ..*settings };
+        let has_lines = settings.shown_outline().is_some() || settings.has_course_lines();
         if settings.shader == ShaderKind::Overdraw || has_lines {
             let mut picture = Picture::default();
-            let settings = RenderSettings { outputs: Outputs::COLOR, ..*settings };
             self.render(renderer, scene, camera, &settings, &mut picture)?;
             let color = picture.color.and_then(|color| color.get(pixel[0], pixel[1]));
             story.color = color.unwrap_or(story.color);

@@ -106,6 +106,11 @@ impl RenderSettings {
         self.outline.filter(|_| self.outputs.color || self.outputs.color_f32)
     }
 
+    /// Whether the shader draws outlines of its own.
+    pub(super) fn has_course_lines(&self) -> bool {
+        self.shader == ShaderKind::Tinyrenderer(Lesson::Toon) && self.shows_light()
+    }
+
     /// The occlusion that the colours depend on.
     pub(super) fn shown_occlusion(&self) -> Option<AmbientOcclusion> {
         if self.shader == ShaderKind::Occlusion && (self.outputs.color || self.outputs.color_f32) {

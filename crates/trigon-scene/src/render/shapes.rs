@@ -79,10 +79,13 @@ impl Shapes {
 
     /// The distance of each pixel's surface along the view.
     pub(super) fn distances(&self) -> Vec<f32> {
-        let [x, y, z, offset] = self.view_axis;
-        let distance =
-            |p: &[f32; 3]| if p[0] == NOWHERE { NOWHERE } else { ((p[0] * x + p[1] * y) + p[2] * z) + offset };
-        self.positions.iter().map(distance).collect()
+        self.along(self.view_axis, NOWHERE)
+    }
+
+    /// `dot(axis, position) + offset` of each pixel's surface, `nothing` where there is none.
+    pub(super) fn along(&self, [x, y, z, offset]: [f32; 4], nothing: f32) -> Vec<f32> {
+        let place = |p: &[f32; 3]| if p[0] == NOWHERE { nothing } else { ((p[0] * x + p[1] * y) + p[2] * z) + offset };
+        self.positions.iter().map(place).collect()
     }
 
     /// Indices of sixteen pixels; those outside of the picture are the nearest ones in it.

@@ -9,7 +9,7 @@
 
 use crate::math::vec3;
 use crate::render::effects::AmbientOcclusion;
-use crate::render::shapes::{EachPixel, NOWHERE, PerPixel, Shapes, each_band, narrow};
+use crate::render::shapes::{EachPixel, PerPixel, Shapes, each_band, narrow};
 use crate::scene::{Camera, Projection};
 use trigon::lanes::{F32, Lanes, U32, Vec3};
 use trigon::pipeline::RendererOptions;
@@ -64,12 +64,11 @@ impl DepthScale {
 
     /// The depths of a picture, row by row.
     fn of(&self, shapes: &Shapes) -> Vec<f32> {
-        let [x, y, z, offset] = self.axis;
-        let depth = |p: &[f32; 3]| {
-            let height = ((p[0] * x + p[1] * y) + p[2] * z) + offset;
-            if p[0] == NOWHERE { EMPTY } else { height / (1.0 - height * self.inverse_distance) }
-        };
-        shapes.positions.iter().map(depth).collect()
+        let mut depths = shapes.along(self.axis, EMPTY);
+        for depth in depths.iter_mut().filter(|height| **height != EMPTY) {
+            *depth /= 1.0 - *depth * self.inverse_distance;
+        }
+        depths
     }
 
     /// How open each pixel is, as the course estimates it: of random points in a cube around the pixel, as large on the

@@ -135,17 +135,19 @@ impl<'a> Games101<'a> {
             let cosine = n.dot(to_light);
             // The highlight of the course counts on both sides of a surface, and so does a shadow.
             let strength = effects.pass(l, source, point, to_light, l.f32(1.0), strength);
-            let half = (to_light + to_viewer).normalize();
-            let highlight = exp2(log2(n.dot(half).clamp(0.0, 1.0)) * self.surface.exponent);
+            let cosine_of_half = n.dot((to_light + to_viewer).normalize());
+            let highlight = exp2(log2(cosine_of_half.clamp(0.0, 1.0)) * self.surface.exponent);
             let light = l.vec3(source.color) * strength;
-            sum += (diffuse * light) * cosine.max(0.0);
-            sum += (l.vec3(self.specular) * light) * highlight;
+            let diffuse_term = (diffuse * light) * cosine.max(0.0);
+            let specular_term = (l.vec3(self.specular) * light) * highlight;
+            sum += diffuse_term;
+            sum += specular_term;
             l.note("I/r^2, light at the surface", light);
             l.note("N.L", cosine);
-            l.note("diffuse term", (diffuse * light) * cosine.max(0.0));
-            l.note("N.H", n.dot(half));
+            l.note("diffuse term", diffuse_term);
+            l.note("N.H", cosine_of_half);
             l.note("its power of the exponent", highlight);
-            l.note("specular term", (l.vec3(self.specular) * light) * highlight);
+            l.note("specular term", specular_term);
         }
         l.note_topic("sum", None);
         l.note("of all terms", sum);

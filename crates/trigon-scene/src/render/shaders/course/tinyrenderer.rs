@@ -118,16 +118,19 @@ impl<'a> Tinyrenderer<'a> {
             let cosine = n.dot(to_light);
             let mirrored = n * (cosine * 2.0) - to_light;
             let towards_viewer = mirrored.dot(l.vec3(self.frame.against_view)).max(0.0);
-            light += cosine.max(0.0) * self.weights.diffuse;
-            light += (gloss * self.weights.gloss + self.weights.specular) * powi(towards_viewer, 35);
+            let diffuse = cosine.max(0.0) * self.weights.diffuse;
+            let weight = gloss * self.weights.gloss + self.weights.specular;
+            let highlight = powi(towards_viewer, 35);
+            light += diffuse;
+            light += weight * highlight;
             l.note_topic("light", Some(0));
             l.note("unit vector to the light l", to_light);
             l.note("n.l", cosine);
-            l.note("diffuse, d max(0, n.l)", cosine.max(0.0) * self.weights.diffuse);
+            l.note("diffuse, d max(0, n.l)", diffuse);
             l.note("l mirrored, r", mirrored);
             l.note("max(0, r.v)", towards_viewer);
-            l.note("its power of 35", powi(towards_viewer, 35));
-            l.note("weight, s + m gloss", gloss * self.weights.gloss + self.weights.specular);
+            l.note("its power of 35", highlight);
+            l.note("weight, s + m gloss", weight);
             // A shadow darkens both sides of a surface.
             shown = effects.pass(l, source, point, to_light, l.f32(1.0), shown);
         }
