@@ -25,6 +25,7 @@ mod terminal;
 mod turn;
 mod values;
 mod view;
+mod warnings;
 
 fn main() -> std::process::ExitCode {
     hide_reader_panics();

@@ -2,8 +2,8 @@
 
 use super::drawing::{Drawn, failure, folder_of, read};
 use crate::failure::Failure;
-use crate::machine;
 use crate::options::{Given, LevelFilterChoice, NearestTexel, PixelFilterChoice, RenderCommandOptions};
+use crate::{machine, warnings};
 use std::time::Instant;
 use trigon_svg::cs184::{LevelSampling, NearestRule, Options, PixelSampling, draw as draw_picture};
 
@@ -31,7 +31,7 @@ pub(super) fn draw(options: &RenderCommandOptions, given: Given, max_bytes: u64)
     let (image, warnings) = draw_picture(&bytes, &course).map_err(|error| failure(path, &error))?;
     Ok(Drawn {
         image,
-        warnings: warnings.iter().map(|warning| format!("{}: {warning}", path.display())).collect(),
+        warnings: warnings::about(path, warnings).collect(),
         samples: format!("grid {}", course.samples_per_axis * course.samples_per_axis),
         simd: machine.simd.name(),
         threads: machine.threads,

@@ -3,9 +3,9 @@
 use super::drawing::{Drawn, failure, folder_of, read};
 use crate::failure::Failure;
 use crate::options::{Given, PatternChoice, RenderCommandOptions, RenderOptions};
-use crate::pictures::{Cover, cover};
+use crate::pictures::cover;
 use crate::values::PageArea;
-use crate::{machine, settings};
+use crate::{machine, settings, warnings};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use trigon_image::Color;
@@ -58,8 +58,7 @@ pub(super) fn draw(
     let source = reader.open(path, read_options, max_bytes)?;
     let started = Instant::now();
     let prepared = source.document.prepare(&view, &renderer).map_err(|error| failure(path, &error))?;
-    let mut warnings: Vec<_> =
-        prepared.warnings.iter().map(|warning| format!("{}: {warning}", path.display())).collect();
+    let mut warnings: Vec<String> = warnings::about(path, &prepared.warnings).collect();
     let picture = draw_layers(&options.render, &prepared, &renderer, &mut warnings)?;
     let image = picture.to_image();
     Ok(Drawn {
@@ -86,16 +85,14 @@ fn draw_layers(
     let mut picture = match &options.picture.backdrop {
         None => renderer.draw(&prepared.drawing, size.0, size.1, background).map_err(refused)?,
         Some(path) => {
-            let Cover { drawing: backdrop, warnings: odd } = cover(path, size, options, renderer)?;
-            warnings.extend(odd);
+            let backdrop = cover(path, size, options, renderer, warnings)?;
             let mut picture = renderer.draw(&backdrop, size.0, size.1, background).map_err(refused)?;
             renderer.draw_over(&prepared.drawing, &mut picture).map_err(refused)?;
             picture
         }
     };
     if let Some(path) = &options.picture.overlay {
-        let Cover { drawing: overlay, warnings: odd } = cover(path, size, options, renderer)?;
-        warnings.extend(odd);
+        let overlay = cover(path, size, options, renderer, warnings)?;
         renderer.draw_over(&overlay, &mut picture).map_err(refused)?;
     }
     Ok(picture)

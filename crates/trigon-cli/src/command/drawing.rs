@@ -12,6 +12,7 @@ use crate::output::{Destination, Encoding, Images};
 use crate::report::{ReportTarget, write_report};
 use crate::stdin;
 use crate::terminal::Terminal;
+use crate::warnings;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -108,7 +109,7 @@ pub(crate) fn tell(options: &RenderOptions, warnings: &[String]) -> Result<(), F
     let terminal = Terminal::detect(options.output.quiet);
     for warning in warnings {
         if options.input.strict {
-            return Err(Failure::work(format!("{warning} (an error because of --strict)")));
+            return Err(warnings::strict(warning));
         }
         terminal.warning(warning);
     }

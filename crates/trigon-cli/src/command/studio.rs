@@ -11,7 +11,7 @@ use crate::report::{Report, ReportTarget, Stages};
 use crate::terminal::Terminal;
 use crate::turn::Turn;
 use crate::values::UpDirection;
-use crate::{machine, settings, view};
+use crate::{machine, settings, view, warnings};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -249,7 +249,7 @@ impl Studio {
     fn warn_all(&mut self, warnings: &[Warning]) -> Result<(), Failure> {
         for warning in warnings {
             if self.is_strict && warning.kind.is_error_if_strict() {
-                return Err(Failure::work(format!("{warning} (an error because of --strict)")));
+                return Err(warnings::strict(&warning));
             }
             self.report.warn(self.terminal, warning.to_string());
         }
@@ -260,7 +260,7 @@ impl Studio {
     fn warn_of_pictures(&mut self, warnings: Vec<String>) -> Result<(), Failure> {
         for warning in warnings {
             if self.is_strict {
-                return Err(Failure::work(format!("{warning} (an error because of --strict)")));
+                return Err(warnings::strict(&warning));
             }
             self.report.warn(self.terminal, warning);
         }

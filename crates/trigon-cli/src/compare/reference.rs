@@ -103,15 +103,16 @@ fn make(
         ("line-width", &line),
         ("point-size", &point),
     ];
+    // The program of CS184 has no anisotropic filter, and its preset refuses it.
+    let is_cs184 = variant.options.render.preset.preset == Some(Preset::Cs184);
+    let understood = fixed.iter().filter(|(name, _)| !(is_cs184 && *name == "anisotropy"));
     let values: Vec<(String, String)> =
-        fixed.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+        understood.map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
     let mut large = variant.with(arguments, &values)?;
     large.options.render.output.quiet = true;
     (large.options.render.picture.size.width, large.options.render.picture.size.height) = (2 * width, 2 * height);
     large.options.render.picture.enlargement = 2;
     large.given.size = true;
-    // The course has no such filter, and refuses it.
-    large.given.anisotropy &= large.options.render.preset.preset != Some(Preset::Cs184);
     let effects = &mut large.options.render.effects;
     if let Some(outline) = effects.outline() {
         effects.outline_width = Some(Positive(f64::from((2.0 * outline.width_px).min(Outline::MAX_WIDTH))));

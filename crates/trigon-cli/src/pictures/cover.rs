@@ -1,8 +1,9 @@
-//! A picture file, of pixels or SVG, in; a drawing of it that fills a frame out, and what is odd about the file.
+//! A picture file, of pixels or SVG, in; a drawing of it that fills a frame, and what is odd about the file, out.
 
 use crate::failure::Failure;
 use crate::load;
 use crate::options::RenderOptions;
+use crate::warnings;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -10,20 +11,15 @@ use trigon_image::{Format, Limits, decode};
 use trigon_svg::canvas::{BlendMode, Drawing, Image, ImageFilter, Renderer, Transform};
 use trigon_svg::svg::{Document, Size, View, is_svg};
 
-/// A picture that fills a frame.
-pub(crate) struct Cover {
-    pub(crate) drawing: Drawing,
-    /// Each with the file's name.
-    pub(crate) warnings: Vec<String>,
-}
-
 /// Reads a picture and makes it fill a frame of this size; it keeps its proportions, and what sticks out is cut off.
+/// What is odd about it is added to `warnings`, with the file's name.
 pub(crate) fn cover(
     path: &Path,
     (width, height): (u32, u32),
     options: &RenderOptions,
     renderer: &Renderer,
-) -> Result<Cover, Failure> {
+    warnings: &mut Vec<String>,
+) -> Result<Drawing, Failure> {
     let limits = load::limits(&options.input);
     let max_bytes = limits.file_bytes;
     let failure = |problem: String| Failure::work(format!("cannot read the picture {}: {problem}", path.display()));
@@ -39,8 +35,8 @@ pub(crate) fn cover(
         let view = View { size: Size::Cover(width, height), ..View::default() };
         let prepared = Document::parse(&bytes, &options).and_then(|document| document.prepare(&view, renderer));
         let prepared = prepared.map_err(|error| failure(error.to_string()))?;
-        let warnings = prepared.warnings.iter().map(|warning| format!("{}: {warning}", path.display())).collect();
-        return Ok(Cover { drawing: prepared.drawing, warnings });
+        warnings.extend(warnings::about(path, &prepared.warnings));
+        return Ok(prepared.drawing);
     }
     let limits = Limits::default().with_max_pixels(limits.texture_pixels);
     let decoded = decode(&bytes, Format::from_path(path), &limits).map_err(|error| failure(error.to_string()))?;
@@ -50,7 +46,7 @@ pub(crate) fn cover(
     // Pixels that stay pixels are not mixed.
     let filter = if image.size() == [width, height] { ImageFilter::NEAREST } else { ImageFilter::SMOOTH };
     drawing.image(&image, filter, filling, 1.0, BlendMode::Normal);
-    Ok(Cover { drawing, warnings: Vec::new() })
+    Ok(drawing)
 }
 
 /// The map from an image's pixels to those of the frame that it fills.

@@ -2,7 +2,7 @@
 //!
 //! All is composed in linear light and premultiplied, as the frame itself was, and encoded once at the end.
 
-use super::cover::{Cover, cover};
+use super::cover;
 use crate::failure::Failure;
 use crate::machine;
 use crate::options::RenderOptions;
@@ -36,8 +36,7 @@ impl Layers {
         let mut warnings = Vec::new();
         let mut read = |path: &Path| {
             let size = (settings.width, settings.height);
-            let Cover { drawing, warnings: odd } = cover(path, size, options, &renderer)?;
-            warnings.extend(odd);
+            let drawing = cover(path, size, options, &renderer, &mut warnings)?;
             let drawn = renderer.draw(&drawing, size.0, size.1, Color::TRANSPARENT);
             let picture = drawn.map_err(|error| Failure::work(format!("{}: {error}", path.display())))?;
             Ok(picture.to_image().to_linear())

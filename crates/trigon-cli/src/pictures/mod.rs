@@ -4,6 +4,6 @@ mod cover;
 mod layers;
 mod svg_textures;
 
-pub(crate) use cover::{Cover, cover};
+pub(crate) use cover::cover;
 pub(crate) use layers::Layers;
 pub(crate) use svg_textures::SvgTextures;

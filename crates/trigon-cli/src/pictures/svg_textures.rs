@@ -1,7 +1,9 @@
 //! `map_Kd drawing.svg`: SVG files as textures of models, joined here because neither front end knows the other.
 
 use crate::options::SvgInputOptions;
+use crate::warnings;
 use std::io;
+use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use trigon_image::{Color, DecodeError, DecodedImage, Limits};
 use trigon_scene::load::PictureDecoder;
@@ -40,7 +42,7 @@ impl SvgTextures {
         // Textures are drawn on several threads as it is.
         let renderer = Renderer::new();
         let prepared = document.prepare(&view, &renderer).map_err(unusable)?;
-        let odd = prepared.warnings.iter().map(|warning| format!("{name}: {warning}"));
+        let odd = warnings::about(Path::new(name), &prepared.warnings);
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(odd);
         limits.check(prepared.width, prepared.height, 4)?;
         let picture = renderer.draw(&prepared.drawing, prepared.width, prepared.height, Color::TRANSPARENT);
